@@ -1,0 +1,1 @@
+"""Ordinary PyOpenGL programs that never import glshim, and the viewer."""

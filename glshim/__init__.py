@@ -1,0 +1,1 @@
+"""glshim: restyles unmodified PyOpenGL programs."""

@@ -1,0 +1,1 @@
+"""Recorded stream to polygons."""

@@ -1,0 +1,38 @@
+"""PolygonBatch: what assembly gives and stylers get."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PolygonBatch:
+    """Polygons in one object space, with their true edges. Immutable by agreement.
+
+    Polygon ``p`` has the corners ``corners[starts[p]:starts[p + 1]]`` (3 or more, wound as the
+    app sent them); ``boundary[c]`` says whether the side from corner ``c`` to the next corner
+    of the same polygon is a true edge (False for a triangulation diagonal or an app's edge flag).
+    Degenerate polygons (zero area, repeated or non-finite corners) may occur: whoever derives
+    geometry drops them.
+    """
+
+    positions: NDArray[np.float32]
+    """(V, 3) object space, after division by w."""
+    corners: NDArray[np.int32]
+    """(C,) indices into positions."""
+    starts: NDArray[np.int32]
+    """(P + 1,) first corner of each polygon; the last entry is C."""
+    boundary: NDArray[np.bool_]
+    """(C,) the side that leaves this corner is a true edge."""
+    key: Hashable | None = None
+    """Equal keys mean equal content (a display list, an unchanged buffer): caches may hold on
+    to what they derived. None: seen once, stream it."""
+
+    @property
+    def polygon_count(self) -> int:
+        """Number of polygons."""
+        return len(self.starts) - 1

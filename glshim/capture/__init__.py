@@ -1,0 +1,1 @@
+"""Hooks on PyOpenGL and on the toolkits' frame ends; the recorded stream."""

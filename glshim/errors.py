@@ -1,0 +1,36 @@
+"""Every error that glshim raises to its own callers. The app never sees one of them.
+
+::
+
+    GlshimError
+    ├── StyleError            a style text, TOML file or styler option that does not hold up
+    │   └── UnknownNameError  a style or option that does not exist (carries the nearest matches)
+    ├── EnvironmentFault      something the machine lacks (a display, Xvfb, a library)
+    └── RenderError           the extra geometry could not be drawn in this context
+"""
+
+from __future__ import annotations
+
+
+class GlshimError(Exception):
+    """Root of the tree: one clear line that says what, where and what to do."""
+
+
+class StyleError(GlshimError):
+    """A style text, style file or option value is not usable."""
+
+
+class UnknownNameError(StyleError):
+    """A style or option of that name does not exist."""
+
+    def __init__(self, message: str, matches: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.matches = matches
+
+
+class EnvironmentFault(GlshimError):
+    """The machine lacks something that was asked for."""
+
+
+class RenderError(GlshimError):
+    """The extra geometry could not be drawn in this context."""

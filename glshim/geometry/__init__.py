@@ -1,0 +1,1 @@
+"""The papers' formulas in pure numpy, without GL."""

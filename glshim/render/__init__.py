@@ -1,0 +1,1 @@
+"""Draws to frame, in the app's own context."""

@@ -1,0 +1,1 @@
+"""What each GL entry point means to us, as data."""

@@ -1,0 +1,1 @@
+"""The Styler protocol and the registry."""
