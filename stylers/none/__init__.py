@@ -1,0 +1,21 @@
+"""Style ``none``: the app as it is. Capture runs, nothing is added."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from glshim.styling.protocol import Draw, Layer, Styler
+
+
+@dataclass(frozen=True)
+class NoStyle(Styler):
+    """The app's own picture, to the byte."""
+
+    name: ClassVar[str] = "none"
+    wants_polygons: ClassVar[bool] = False
+
+    def draws(self, layer: Layer) -> Iterable[Draw]:
+        """Nothing."""
+        return ()

@@ -1,0 +1,66 @@
+"""Style ``raskar``: silhouettes and ridges from each polygon alone, without connectivity.
+
+R. Raskar, "Hardware Support for Non-photorealistic Rendering", Graphics Hardware 2001,
+sections 2.1 and 2.2. The formulas stand in `glshim.geometry.raskar`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from math import cos, radians, sin
+from typing import ClassVar
+
+from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
+
+_HERE = files(__package__)
+SHADER = Shader(
+    "raskar",
+    (_HERE / "raskar.vert.glsl").read_text("utf-8"),
+    (_HERE / "raskar.frag.glsl").read_text("utf-8"),
+    vertices=5,
+)
+
+
+@dataclass(frozen=True)
+class Raskar(Styler):
+    """Ink on silhouettes and ridges (Raskar 2001)."""
+
+    name: ClassVar[str] = "raskar"
+
+    silhouettes: bool = option(True, help="ink where front-facing polygons meet back-facing ones")
+    ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
+    silhouette_width: float = option(
+        3.0, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
+    )
+    ridge_width: float = option(
+        2.0, help="width of a ridge, half on either side of the edge", low=0.5, high=64.0, unit="px"
+    )
+    ridge_angle: float = option(
+        120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
+    )
+    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
+
+    def draws(self, layer: Layer) -> Iterable[Draw]:
+        """One draw a batch: rings around back-facing polygons, quads on front-facing ones."""
+        if not (self.silhouettes or self.ridges):
+            return
+        angle = radians(self.ridge_angle)
+        uniforms: dict[str, Uniform] = {
+            "silhouette_width": self.silhouette_width if self.silhouettes else 0.0,
+            "ridge_width": self.ridge_width / 2.0 if self.ridges else 0.0,
+            "ridge_turn": (cos(angle), sin(angle)),
+            "ink": self.ink,
+        }
+        for batch, camera in layer.items:
+            yield Draw(batch, camera, SHADER, uniforms)
