@@ -1,0 +1,83 @@
+"""Signatures of the recorded vertex attributes, as data.
+
+A recorded call is 20 bytes: an int32 tag and four float32 values (unused ones zero). The tag is the
+row's index here; GL keeps vertices and attributes as floats too, so nothing is lost.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from struct import Struct
+
+import numpy as np
+
+VERTEX, NORMAL, COLOR, TEXCOORD, EDGE_FLAG = range(5)
+"""Kinds of recorded calls."""
+
+RECORD_BYTES = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Attribute:
+    """One recorded entry point (its scalar form; the vector form records the same)."""
+
+    name: str
+    """C name without a trailing v."""
+    kind: int
+    size: int
+    """Number of arguments."""
+    type: str
+    """f or d (floats), i or s (integers made floats), u (unsigned bytes, a colour), b (switch)."""
+    tag: int
+    pack: Struct
+    """Packs (tag, values ...) to one record."""
+
+
+def _rows() -> tuple[Attribute, ...]:
+    table: list[tuple[str, int, tuple[int, ...], tuple[str, ...]]] = [
+        ("glVertex", VERTEX, (2, 3, 4), ("f", "d", "i", "s")),
+        ("glNormal", NORMAL, (3,), ("f", "d")),
+        ("glColor", COLOR, (3, 4), ("f", "d", "ub")),
+        ("glTexCoord", TEXCOORD, (1, 2, 3, 4), ("f", "d", "i", "s")),
+    ]
+    rows: list[Attribute] = []
+
+    def add(name: str, kind: int, size: int, type_: str) -> None:
+        pad = f"{16 - 4 * size}x" if size < 4 else ""
+        rows.append(
+            Attribute(name, kind, size, type_[0], len(rows), Struct(f"=i{size}f{pad}"))
+        )
+
+    for stem, kind, sizes, types in table:
+        for size in sizes:
+            for type_ in types:
+                add(f"{stem}{size}{type_}", kind, size, type_)
+    add("glEdgeFlag", EDGE_FLAG, 1, "b")
+    return tuple(rows)
+
+
+ATTRIBUTES = _rows()
+BY_NAME = {row.name: row for row in ATTRIBUTES}
+
+KIND = np.array([row.kind for row in ATTRIBUTES], np.int8)
+"""(tags,) kind of each tag."""
+SIZE = np.array([row.size for row in ATTRIBUTES], np.int8)
+"""(tags,) argument count of each tag."""
+UNSIGNED_BYTE = np.array([row.type == "u" for row in ATTRIBUTES], np.bool_)
+"""(tags,) values are 0..255 and stand for 0..1."""
+
+REPLAY = tuple(
+    (
+        f"{row.name[:-1] if row.type in 'dis' else row.name}"
+        + ("f" if row.type in "dis" else ""),
+        row.size,
+    )
+    for row in ATTRIBUTES
+)
+"""For each tag the bare float entry point that says the same, and its argument count."""
+
+
+def decode(stream: bytes) -> tuple[np.ndarray, np.ndarray]:
+    """Tags (N,) int32 and values (N, 4) float32 of a recorded stream, as views."""
+    records = np.frombuffer(stream, np.float32).reshape(-1, 5)
+    return records.view(np.int32)[:, 0], records[:, 1:]

@@ -1,0 +1,96 @@
+"""The driver's own functions, bare: no PyOpenGL conversion, no error check, no hook.
+
+What the shim itself says to GL goes through here, so it never meets its own hooks, never raises a
+GL error of its own and costs a fifth of a PyOpenGL call. A signature is a row of letters.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from typing import Any
+
+_LETTERS: dict[str, Any] = {
+    "i": ctypes.c_int,
+    "u": ctypes.c_uint,
+    "f": ctypes.c_float,
+    "d": ctypes.c_double,
+    "b": ctypes.c_ubyte,
+    "p": ctypes.c_void_p,
+    "n": ctypes.c_ssize_t,
+}
+
+SIGNATURES: dict[str, str] = {
+    # queries
+    "glGetFloatv": "up", "glGetIntegerv": "up", "glGetBooleanv": "up", "glGetDoublev": "up",
+    "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
+    "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
+    "glGetTexLevelParameteriv": "uiup", "glGetFramebufferAttachmentParameteriv": "uuup",
+    "glGetVertexAttribiv": "uup",
+    # immediate mode
+    "glBegin": "u", "glEnd": "",
+    "glVertex2f": "ff", "glVertex3f": "fff", "glVertex4f": "ffff",
+    "glNormal3f": "fff", "glColor3f": "fff", "glColor4f": "ffff",
+    "glTexCoord1f": "f", "glTexCoord2f": "ff", "glTexCoord3f": "fff", "glTexCoord4f": "ffff",
+    "glColor3ub": "bbb", "glColor4ub": "bbbb", "glEdgeFlag": "b",
+    # arrays
+    "glVertexPointer": "iuip", "glNormalPointer": "uip", "glColorPointer": "iuip",
+    "glTexCoordPointer": "iuip", "glEnableClientState": "u", "glDisableClientState": "u",
+    "glClientActiveTexture": "u", "glDrawArrays": "uii", "glDrawElements": "uiup",
+    "glBindBuffer": "uu", "glGenVertexArrays": "ip", "glBindVertexArray": "u",
+    # state
+    "glEnable": "u", "glDisable": "u", "glUseProgram": "u", "glColorMask": "bbbb",
+    "glPushAttrib": "u", "glPopAttrib": "", "glPushClientAttrib": "u", "glPopClientAttrib": "",
+    "glMatrixMode": "u", "glPushMatrix": "", "glPopMatrix": "", "glLoadIdentity": "",
+    "glLoadMatrixf": "p", "glOrtho": "dddddd", "glViewport": "iiii", "glDepthRange": "dd",
+    "glActiveTexture": "u", "glGenTextures": "ip", "glBindTexture": "uu",
+    "glDeleteTextures": "ip", "glTexImage2D": "uiiiiiuup", "glTexGeni": "uui",
+    "glTexParameteri": "uui", "glPolygonMode": "uu", "glCallList": "u",
+    "glRenderMode": "u>i", "glFeedbackBuffer": "iup", "glPixelStorei": "ui",
+    "glReadPixels": "iiiiuup", "glReadBuffer": "u", "glBindFramebuffer": "uu",
+    "glFinish": "", "glBlendFunc": "uu", "glDepthMask": "b", "glLoadMatrixd": "p",
+    # small programs of our own in the app's compatibility context
+    "glCreateProgram": ">u", "glCreateShader": "u>u", "glShaderSource": "uipp",
+    "glCompileShader": "u", "glAttachShader": "uu", "glLinkProgram": "u",
+    "glGetUniformLocation": "up>i", "glUniform4f": "iffff", "glDeleteShader": "u",
+    "glGetProgramiv": "uup",
+}  # fmt: skip
+
+
+class Driver:
+    """Attribute access gives the bare function, resolved once: ``gl.glGetFloatv(pname, buffer)``.
+
+    Raises AttributeError for a function that this platform does not have; resolve after a context
+    is current.
+    """
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        signature = SIGNATURES.get(name)
+        if signature is None:
+            raise AttributeError(f"glshim.spec.driver has no signature for {name!r}")
+        arguments, _, result = signature.partition(">")
+        from OpenGL.platform import PLATFORM
+
+        prototype = ctypes.CFUNCTYPE(
+            _LETTERS[result] if result else None, *(_LETTERS[letter] for letter in arguments)
+        )
+        try:
+            address = ctypes.cast(getattr(PLATFORM.GL, name), ctypes.c_void_p).value
+        except AttributeError:
+            address = PLATFORM.getExtensionProcedure(name.encode())
+        if not address:
+            raise AttributeError(f"this GL driver has no {name}")
+        function = prototype(address)
+        setattr(self, name, function)
+        return function
+
+
+gl = Driver()
+
+
+def current_context() -> int:
+    """The platform's handle of the current context, 0 when none is current."""
+    from OpenGL.platform import PLATFORM
+
+    context = PLATFORM.GetCurrentContext()
+    return int(getattr(context, "value", context) or 0)
