@@ -1,0 +1,344 @@
+"""Run one program unmodified, with its clock and its luck frozen, and save what it presents.
+
+`python frozen.py OUT FRAMES TARGET [ARGS...]` runs the script TARGET (or the module `-m NAME`) as `__main__`.
+It imports nothing of glshim and calls no OpenGL of its own: each picture is read from the X screen after
+the program's own call that presents it, so it is the same code, with the same result, whether or not
+another program has hooked OpenGL above or below these hooks.
+
+Time stands still while a frame is made and moves by STEP between frames; GLUT's timers and idle calls are
+served one round a frame, after the window has settled, so that every run sees the same sequence of events.
+"""
+
+import ctypes
+import ctypes.util
+import importlib.abc
+import os
+import random
+import runpy
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+
+STEP = 0.02  # seconds that pass with each frame
+SETTLE = 12  # rounds of the main loop before GLUT's first display, until the window is on the screen
+QUIET = 40  # rounds without a new picture after which a program that stands still is done
+GL_DOUBLEBUFFER = 0x0C32
+Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)
+
+real_sleep = time.sleep
+real_clock = time.monotonic
+
+
+class XImage(ctypes.Structure):
+    _fields_ = (
+        ("width", ctypes.c_int),
+        ("height", ctypes.c_int),
+        ("xoffset", ctypes.c_int),
+        ("format", ctypes.c_int),
+        ("data", ctypes.c_void_p),
+        ("byte_order", ctypes.c_int),
+        ("bitmap_unit", ctypes.c_int),
+        ("bitmap_bit_order", ctypes.c_int),
+        ("bitmap_pad", ctypes.c_int),
+        ("depth", ctypes.c_int),
+        ("bytes_per_line", ctypes.c_int),
+        ("bits_per_pixel", ctypes.c_int),
+    )
+
+
+class Screen:
+    """The part of the X screen that the current window covers, as pixels."""
+
+    def __init__(self) -> None:
+        x, gl = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libGL.so.1")
+        gl.glXGetCurrentDisplay.restype = ctypes.c_void_p
+        gl.glXGetCurrentDrawable.restype = ctypes.c_ulong
+        x.XGetImage.restype = ctypes.POINTER(XImage)
+        x.XDefaultRootWindow.restype = ctypes.c_ulong
+        self.x, self.gl = x, gl
+
+    def double_buffered(self) -> bool:
+        answer = ctypes.c_ubyte()
+        self.gl.glGetBooleanv(GL_DOUBLEBUFFER, ctypes.byref(answer))
+        return bool(answer.value)
+
+    def grab(self) -> "np.ndarray[Any, Any] | None":
+        """(height, width, 3) uint8, or None where no window is current."""
+        x, window = self.x, ctypes.c_ulong(self.gl.glXGetCurrentDrawable())
+        display = ctypes.c_void_p(self.gl.glXGetCurrentDisplay())
+        if not window or not display:
+            return None
+        x.XSync(display, 0)
+        root = ctypes.c_ulong(x.XDefaultRootWindow(display))
+        extent = [self.geometry(display, handle) for handle in (window, root)]
+        (width, height), (root_width, root_height) = extent
+        at_x, at_y, child = ctypes.c_int(), ctypes.c_int(), ctypes.c_ulong()
+        x.XTranslateCoordinates(display, window, root, 0, 0, ctypes.byref(at_x),
+                                ctypes.byref(at_y), ctypes.byref(child))
+        left, top = max(at_x.value, 0), max(at_y.value, 0)
+        right = min(at_x.value + width, root_width)
+        bottom = min(at_y.value + height, root_height)
+        if left >= right or top >= bottom:
+            return None
+        image = x.XGetImage(display, root, left, top, right - left, bottom - top,
+                            ALL_PLANES, Z_PIXMAP)
+        header = image.contents
+        raw = ctypes.string_at(header.data, header.bytes_per_line * header.height)
+        x.XDestroyImage(image)
+        rows = np.frombuffer(raw, np.uint8).reshape(bottom - top, -1, 4)
+        return rows[:, : right - left, 2::-1].copy()
+
+    def geometry(self, display: ctypes.c_void_p, window: ctypes.c_ulong) -> tuple[int, int]:
+        root, at_x, at_y = ctypes.c_ulong(), ctypes.c_int(), ctypes.c_int()
+        width, height, border, depth = (ctypes.c_uint() for _ in range(4))
+        answers = (root, at_x, at_y, width, height, border, depth)
+        self.x.XGetGeometry(display, window, *(ctypes.byref(a) for a in answers))
+        return width.value, height.value
+
+
+class Recorder:
+    """Counts presented frames, moves the clock, saves pictures and ends the program."""
+
+    def __init__(self, out: Path, frames: int) -> None:
+        self.out, self.frames = out, frames
+        self.count = 0
+        self.now = 0.0
+        self.pictures: list[np.ndarray[Any, Any]] = []
+        self.last_seen = real_clock()
+        self.screen = Screen()
+
+    def presented(self) -> None:
+        picture = self.screen.grab()
+        self.last_seen = real_clock()
+        if picture is None:
+            return
+        self.pictures.append(picture)
+        self.count += 1
+        self.now += STEP
+        if self.count >= self.frames:
+            self.finish()
+
+    def flushed(self) -> None:
+        if not self.screen.double_buffered():
+            self.presented()
+
+    def finish(self) -> None:
+        np.savez(self.out, *self.pictures)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
+
+    def watch(self, patience: float) -> None:
+        """End a program that draws on demand once it has shown something and gone quiet."""
+
+        def look() -> None:
+            while True:
+                real_sleep(0.2)
+                if self.count and real_clock() - self.last_seen > patience:
+                    self.finish()
+
+        threading.Thread(target=look, daemon=True).start()
+
+
+def freeze_luck() -> None:
+    random.seed(1)
+    np.random.seed(1)
+
+
+def freeze_clock(recorder: Recorder) -> None:
+    start = 1_600_000_000.0
+    for name, base in (("time", start), ("perf_counter", 0.0), ("monotonic", 0.0),
+                       ("process_time", 0.0), ("clock", 0.0)):
+        setattr(time, name, lambda base=base: base + recorder.now)
+        setattr(time, name + "_ns", lambda base=base: int((base + recorder.now) * 1e9))
+
+    def sleep(seconds: float) -> None:
+        recorder.now += seconds
+
+    time.sleep = sleep  # type: ignore[assignment]
+
+
+def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
+    """Replace `module.name` by itself followed by `after`."""
+    original = getattr(module, name, None)
+    if original is None:
+        return
+
+    def call(*args: Any, **kwargs: Any) -> Any:
+        result = original(*args, **kwargs)
+        after()
+        return result
+
+    setattr(module, name, call)
+
+
+class GlutLoop:
+    """GLUT's idle function, timers and clock, served from one pump in a fixed order.
+
+    freeglut calls idle functions and timers as often as real time allows, and displays when the window
+    happens to be exposed. The pump waits until the window has settled, then serves one round after
+    another: clock, due timers, the program's idle function, a redisplay if any was asked for.
+    """
+
+    def __init__(self, glut: ModuleType, recorder: Recorder) -> None:
+        self.glut, self.recorder = glut, recorder
+        self.round = 0
+        self.quiet = 0
+        self.shown = 0
+        self.idle: Callable[[], None] | None = None
+        self.timers: list[tuple[float, int, Callable[[int], None], int]] = []
+        self.waiting: set[int] = set()
+        self.real = {name: getattr(glut, name) for name in (
+            "glutDisplayFunc", "glutIdleFunc", "glutTimerFunc", "glutMainLoop", "glutGet",
+            "glutPostRedisplay", "glutSetWindow", "glutGetWindow")}
+        glut.glutIdleFunc = self.set_idle
+        glut.glutTimerFunc = self.add_timer
+        glut.glutDisplayFunc = self.set_display
+        glut.glutMainLoop = self.main_loop
+        glut.glutGet = self.get
+        self.elapsed = glut.GLUT_ELAPSED_TIME
+
+    def set_idle(self, function: Callable[[], None] | None = None) -> None:
+        self.idle = function
+
+    def add_timer(self, milliseconds: int, function: Callable[[int], None], value: int = 0) -> None:
+        due = self.recorder.now + milliseconds / 1000
+        self.timers.append((due, len(self.timers), function, value))
+
+    def set_display(self, function: Callable[[], None]) -> None:
+        def display() -> None:
+            if self.round < SETTLE:
+                self.waiting.add(self.real["glutGetWindow"]())
+            else:
+                function()
+
+        self.real["glutDisplayFunc"](display)
+
+    def get(self, what: Any) -> Any:
+        if what == self.elapsed:
+            return int(self.recorder.now * 1000)
+        return self.real["glutGet"](what)
+
+    def main_loop(self) -> None:
+        self.real["glutIdleFunc"](self.pump)
+        self.real["glutMainLoop"]()
+
+    def pump(self) -> None:
+        self.round += 1
+        if self.round < SETTLE:
+            real_sleep(0.01)
+            return
+        if self.round == SETTLE:
+            for window in sorted(self.waiting):
+                self.real["glutSetWindow"](window)
+                self.real["glutPostRedisplay"]()
+            return
+        self.quiet = 0 if self.recorder.count != self.shown else self.quiet + 1
+        if self.quiet == 0:
+            self.shown = self.recorder.count
+        else:
+            self.recorder.now += STEP  # nothing was shown: a frame's time passes all the same
+            real_sleep(0.001)
+        if self.quiet > QUIET:
+            self.recorder.finish()
+        due = sorted(t for t in self.timers if t[0] <= self.recorder.now + 1e-9)
+        self.timers = [t for t in self.timers if t not in due]
+        for _, _, function, value in due:
+            function(value)
+        if self.idle is not None:
+            self.idle()
+
+
+def freeze_pygame(pygame: ModuleType, recorder: Recorder) -> None:
+    for name in ("flip", "update"):
+        around(pygame.display, name, recorder.presented)
+
+    def milliseconds() -> int:
+        return int(recorder.now * 1000)
+
+    class Clock:
+        def tick(self, _framerate: float = 0) -> int:
+            return int(STEP * 1000)
+
+        tick_busy_loop = get_time = get_rawtime = tick
+
+        def get_fps(self) -> float:
+            return 1 / STEP
+
+    def wait(duration: int) -> int:
+        recorder.now += duration / 1000
+        return duration
+
+    pygame.time.get_ticks = milliseconds
+    pygame.time.wait = pygame.time.delay = wait
+    pygame.time.Clock = Clock
+
+
+def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
+    around(glfw, "swap_buffers", recorder.presented)
+    glfw.get_time = lambda: recorder.now  # type: ignore[attr-defined]
+
+
+def freeze_glut(glut: ModuleType, recorder: Recorder) -> None:
+    around(glut, "glutSwapBuffers", recorder.presented)
+    GlutLoop(glut, recorder)
+
+
+def freeze_gl(gl: ModuleType, recorder: Recorder) -> None:
+    around(gl, "glFlush", recorder.flushed)
+    around(gl, "glFinish", recorder.flushed)
+
+
+class AfterImport(importlib.abc.MetaPathFinder):
+    """Calls a function on a module once it has been imported by the program."""
+
+    def __init__(self, hooks: dict[str, Callable[[ModuleType], None]]) -> None:
+        self.hooks = hooks
+
+    def find_spec(self, fullname: str, path: Any, target: Any = None) -> Any:
+        if fullname not in self.hooks:
+            return None
+        hook = self.hooks.pop(fullname)
+        spec = importlib.util.find_spec(fullname)
+        if spec is None or spec.loader is None:
+            return spec
+        execute = spec.loader.exec_module
+
+        def exec_module(module: ModuleType) -> None:
+            execute(module)
+            hook(module)
+
+        spec.loader.exec_module = exec_module  # type: ignore[method-assign]
+        return spec
+
+
+def main() -> None:
+    out, frames, *command = sys.argv[1:]
+    recorder = Recorder(Path(out), int(frames))
+    freeze_luck()
+    freeze_clock(recorder)
+    hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
+             "glfw": freeze_glfw}
+    sys.meta_path.insert(0, AfterImport(
+        {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))
+    recorder.watch(patience=1.5)
+    sys.path.pop(0)  # this folder is none of the program's business
+    if command[0] == "-m":
+        sys.argv = command[1:]
+        sys.path.insert(0, os.getcwd())
+        runpy.run_module(command[1], run_name="__main__", alter_sys=True)
+    else:
+        sys.argv = command
+        sys.path.insert(0, str(Path(command[0]).parent))
+        runpy.run_path(command[0], run_name="__main__")
+    recorder.finish()
+
+
+if __name__ == "__main__":
+    main()
