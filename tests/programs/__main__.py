@@ -1,0 +1,67 @@
+"""`python -m tests.programs`: run every program plain and styled, and print how they compare."""
+
+import argparse
+import fnmatch
+import sys
+from pathlib import Path
+
+from .catalog import PROGRAMS, Program
+from .everything import every_demo
+from .harness import PLAIN, run
+from .screen import NoScreen, virtual_screen
+from .sources import SourceMissing
+
+
+def compare(program: Program, style: str, display: str, out: Path) -> list[str]:
+    """One row: plain against plain, against `none`, and the pixels that the style changes."""
+    try:
+        plain, again = run(program, PLAIN, display), run(program, PLAIN, display)
+    except SourceMissing as reason:
+        return [program.name, "-", "-", "-", str(reason)]
+    plain.save(out / f"{program.slug}.plain.png")
+    if plain.fault():
+        return [program.name, "-", "-", "-", "plain: " + plain.fault()]
+    none, styled = run(program, "none", display), run(program, style, display)
+    none.save(out / f"{program.slug}.none.png")
+    saved = styled.save(out / f"{program.slug}.{style.partition(':')[0]}.png")
+
+    def verdict(other_is_same: bool, changed: int) -> str:
+        return "yes" if other_is_same else f"NO ({changed} px)"
+
+    notes = none.fault() or styled.fault() or str(saved)
+    return [
+        program.name,
+        verdict(plain.same_as(again), plain.changed_pixels(again)),
+        verdict(plain.same_as(none), plain.changed_pixels(none)),
+        str(plain.changed_pixels(styled)),
+        notes,
+    ]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m tests.programs", description=__doc__)
+    parser.add_argument("--out", type=Path, default=Path("out/programs"), help="folder for PNGs")
+    parser.add_argument("--only", default="*", metavar="PATTERN", help="programs to run, a glob")
+    parser.add_argument("--style", default="raskar", help="the style beside none")
+    parser.add_argument("--all", action="store_true",
+                        help="every fixed-function script of PyOpenGL-Demo, not only the list")
+    choice = parser.parse_args()
+    programs = every_demo() if choice.all else PROGRAMS
+    chosen = [p for p in programs if fnmatch.fnmatch(p.name, f"*{choice.only}*")]
+    print(f"| program | plain == plain | none == plain | {choice.style}: changed px | picture |")
+    print("|---|---|---|---|---|")
+    faults = 0
+    try:
+        with virtual_screen() as display:
+            for program in chosen:
+                row = compare(program, choice.style, display, choice.out)
+                faults += "NO" in row[2] or row[2] == "-"
+                print("| " + " | ".join(row) + " |", flush=True)
+    except NoScreen as reason:
+        print(reason, file=sys.stderr)
+        return 2
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,58 @@
+"""The programs that others wrote, as data: where each comes from and how it is started."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+HERE = Path(__file__).parent
+DEMO = "PyOpenGL-Demo"
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """One program, run unmodified."""
+
+    name: str
+    source: str  # a distribution of `sources`, "pygame" or "ours"
+    script: str = ""  # a path inside the source's folder, or `-m module`
+    frames: int = 3
+    inked: bool = True  # whether the raskar style is to leave lines on it
+
+    @property
+    def slug(self) -> str:
+        return self.name.replace("/", "_").removesuffix(".py")
+
+
+def demo(path: str, inked: bool = True) -> Program:
+    return Program(path, DEMO, f"OpenGL_Demo/{path}", inked=inked)
+
+
+DEMO_PROGRAMS = (
+    demo("GLUT/gears.py"),
+    demo("GLUT/glutplane.py"),
+    demo("GLUT/molehill.py"),
+    demo("redbook/scene.py"),
+    demo("redbook/teapots.py"),
+    demo("redbook/movelight.py"),
+    demo("NeHe/lesson5.py"),
+    demo("NeHe/lesson6.py"),
+    demo("NeHe/lesson12.py"),
+    demo("NeHe/lesson18.py"),
+    demo("NeHe/lesson26.py"),
+    demo("proesch/colorCube/colorCube.py"),
+    demo("proesch/bezier/bezier.py"),
+    demo("proesch/nurbs/nurbs.py"),
+    demo("GLE/helix.py"),
+)
+
+OTHERS = (
+    Program("Planet3D", "Planet3D", str(HERE / "apps" / "solar_system.py")),
+    Program("phalcopulse", "phalcopulse", str(HERE / "apps" / "bouncing_ball.py")),
+    Program("pygame/glcube", "pygame", "-m pygame.examples.glcube"),
+)
+
+OURS = tuple(
+    Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
+    for name in ("cad_part", "robot_arm", "island", "cloth", "viewer")
+)
+
+PROGRAMS = DEMO_PROGRAMS + OTHERS + OURS

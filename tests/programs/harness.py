@@ -1,0 +1,94 @@
+"""Runs a program under one of the modes and compares what it presented."""
+
+import os
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from .catalog import HERE, Program
+from .sources import launch
+
+PLAIN = None  # no style: glshim is not there at all
+Picture = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """What one run presented: pictures of (height, width, 3) uint8, first to last."""
+
+    pictures: tuple[Picture, ...]
+    log: str
+    status: int
+
+    def same_as(self, other: "Run") -> bool:
+        return len(self.pictures) == len(other.pictures) > 0 and all(
+            np.array_equal(a, b) for a, b in zip(self.pictures, other.pictures, strict=True))
+
+    def changed_pixels(self, other: "Run") -> int:
+        """The most pixels that differ between two pictures of the same frame, -1 for no comparison."""
+        if len(self.pictures) != len(other.pictures) or not self.pictures:
+            return -1
+        counts = [-1 if a.shape != b.shape else int((a != b).any(axis=2).sum())
+                  for a, b in zip(self.pictures, other.pictures, strict=True)]
+        return -1 if -1 in counts else max(counts)
+
+    def save(self, path: Path) -> Path | None:
+        """Write the last picture as PNG."""
+        if not self.pictures:
+            return None
+        path.parent.mkdir(parents=True, exist_ok=True)
+        Image.fromarray(self.pictures[-1]).save(path)
+        return path
+
+    def fault(self) -> str:
+        """The last line of the log where the run failed, else nothing."""
+        if self.status == 0 and self.pictures:
+            return ""
+        lines = self.log.strip().splitlines()
+        return lines[-1] if lines else f"status {self.status}, nothing presented"
+
+
+def environment(style: str | None, display: str, paths: list[Path]) -> dict[str, str]:
+    kept = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
+    kept |= {
+        "DISPLAY": display,
+        "PYTHONHASHSEED": "0",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "PYTHONPATH": os.pathsep.join(map(str, paths)),
+        "SDL_AUDIODRIVER": "dummy",
+        "SDL_VIDEODRIVER": "x11",
+        "SDL_MOUSE_RELATIVE": "0",
+        "PYGAME_HIDE_SUPPORT_PROMPT": "1",
+    }
+    if style is not PLAIN:
+        kept["GLSHIM_STYLE"] = style
+    return kept
+
+
+def run(program: Program, style: str | None, display: str, limit: float = 60.0) -> Run:
+    """Run the program until it has presented its frames; `style` None leaves glshim out."""
+    command, folder, paths = launch(program)
+    with tempfile.TemporaryDirectory() as scratch:
+        out = Path(scratch) / "frames.npz"
+        log = Path(scratch) / "log"
+        with log.open("w") as stream:
+            try:
+                status = subprocess.run(
+                    [sys.executable, str(HERE / "frozen.py"), str(out), str(program.frames), *command],
+                    cwd=folder, env=environment(style, display, paths), stdin=subprocess.DEVNULL,
+                    stdout=stream, stderr=subprocess.STDOUT, timeout=limit, check=False).returncode
+            except subprocess.TimeoutExpired:
+                status = 124
+                stream.write(f"\nended after {limit:.0f} s\n")
+        pictures: tuple[Any, ...] = ()
+        if out.exists():
+            with np.load(out) as saved:
+                pictures = tuple(saved[name] for name in saved.files)
+        return Run(pictures, log.read_text(errors="replace"), status)

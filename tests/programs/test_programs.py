@@ -1,0 +1,60 @@
+"""Programs that others wrote, and ours, run unmodified: plain, under `none`, under `raskar`."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from .catalog import PROGRAMS, Program
+from .harness import PLAIN, Run, run
+from .screen import NoScreen, virtual_screen
+from .sources import SourceMissing, launch
+
+
+@pytest.fixture(scope="module")
+def display() -> Iterator[str]:
+    try:
+        with virtual_screen() as name:
+            yield name
+    except NoScreen as reason:
+        pytest.skip(str(reason))
+
+
+@pytest.fixture(scope="module", params=PROGRAMS, ids=lambda p: p.name)
+def program(request: pytest.FixtureRequest) -> Program:
+    chosen: Program = request.param
+    try:
+        launch(chosen)
+    except SourceMissing as reason:
+        pytest.skip(str(reason))
+    return chosen
+
+
+@pytest.fixture(scope="module")
+def plain(program: Program, display: str) -> Run:
+    result = run(program, PLAIN, display)
+    assert not result.fault(), result.log
+    return result
+
+
+def test_two_plain_runs_are_the_same(program: Program, plain: Run, display: str) -> None:
+    """Without this, the comparisons below would say nothing."""
+    assert plain.same_as(run(program, PLAIN, display))
+    assert any(len(set(map(bytes, picture[::7, ::7].reshape(-1, 3)))) > 1
+               for picture in plain.pictures), "nothing was drawn"
+
+
+def test_none_gives_the_plain_frames_to_the_byte(program: Program, plain: Run, display: str) -> None:
+    none = run(program, "none", display)
+    assert not none.fault(), none.log
+    assert none.same_as(plain), f"{none.changed_pixels(plain)} pixels differ\n{none.log}"
+
+
+def test_raskar_leaves_lines(program: Program, plain: Run, display: str) -> None:
+    styled = run(program, "raskar", display)
+    assert not styled.fault(), styled.log
+    assert "Traceback" not in styled.log, styled.log
+    changed = styled.changed_pixels(plain)
+    if program.inked:
+        assert changed > 50
+    else:
+        assert changed == 0
