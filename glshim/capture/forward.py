@@ -1,0 +1,229 @@
+"""Hands a recorded primitive to the real fixed-function GL.
+
+Large primitives go as one glDrawArrays from client arrays, which is the same picture and leaves the
+same current attributes; everything else is replayed call by call through the bare driver.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from struct import Struct
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..spec.attributes import (
+    COLOR,
+    EDGE_FLAG,
+    KIND,
+    NORMAL,
+    RECORD_BYTES,
+    REPLAY,
+    SIZE,
+    TEXCOORD,
+    UNSIGNED_BYTE,
+    VERTEX,
+    Attribute,
+    decode,
+)
+from ..spec.driver import current_context, gl
+
+SMALL = 128 * RECORD_BYTES
+"""Below this many bytes a replay is quicker than setting up arrays (measured)."""
+
+_GL_FLOAT = 0x1406
+_ARRAYS = {  # kind: (client state, glGet of the current value, components of the array)
+    NORMAL: (0x8075, 0x0B02, 3),
+    COLOR: (0x8076, 0x0B00, 4),
+    TEXCOORD: (0x8078, 0x0B03, 4),
+}
+_VERTEX_ARRAY = 0x8074
+_CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
+_DEFAULT = np.array([0, 0, 0, 1], np.float32)
+
+_C_TYPES = {"f": "GLfloatArray", "d": "GLdoubleArray", "i": "GLintArray", "s": "GLshortArray",
+            "u": "GLubyteArray", "b": "GLbooleanArray"}  # fmt: skip
+_ELEMENTS = {"f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
+             "u": ctypes.c_ubyte, "b": ctypes.c_ubyte}  # fmt: skip
+
+_records = Struct("=i4f").iter_unpack
+_calls: list[tuple[Callable[..., Any], int]] = []
+
+
+def _bare_calls() -> list[tuple[Callable[..., Any], int]]:
+    if not _calls:
+        _calls.extend((getattr(gl, name), size) for name, size in REPLAY)
+    return _calls
+
+
+def replay(stream: bytes) -> None:
+    """Say the recorded calls to the driver one by one. Exact in every case."""
+    calls = _calls or _bare_calls()
+    for tag, x, y, z, w in _records(stream):
+        call, size = calls[tag]
+        if size == 3:
+            call(x, y, z)
+        elif size == 2:
+            call(x, y)
+        elif size == 4:
+            call(x, y, z, w)
+        else:
+            call(x)
+
+
+def worthwhile(stream: bytes) -> bool:
+    """Whether a stream is large enough, and of a kind, to be drawn from arrays."""
+    return len(stream) >= SMALL and not bool((KIND[decode(stream)[0]] == EDGE_FLAG).any())
+
+
+def drawable() -> bool:
+    """Whether :func:`draw` is exactly equivalent in the current context. Ask outside a primitive."""
+    return bool(
+        current_context()
+        and _integer(0x0BB1) < _integer(0x0D3B)  # room on the client attribute stack
+        and not _integer(0x8B8D)  # the app's program may look at gl_VertexID
+        and not _vertex_array_object()
+    )
+
+
+_value = (ctypes.c_int * 16)()
+
+
+def _integer(name: int) -> int:
+    _value[0] = 0
+    gl.glGetIntegerv(name, _value)
+    return _value[0]
+
+
+def _vertex_array_object() -> bool:
+    try:
+        _ = gl.glBindVertexArray
+    except AttributeError:
+        return False
+    return bool(_integer(0x85B5))
+
+
+def draw(mode: int, stream: bytes) -> None:
+    """Draw a recorded primitive in one glDrawArrays; the app's array state is left as it was.
+
+    Attributes that do not change between vertices are set, not sent as arrays; vertices before the
+    first call of an attribute get the current one, as in immediate mode.
+    """
+    tags, values = decode(stream)
+    kinds = KIND[tags]
+    vertex_rows = np.flatnonzero(kinds == VERTEX)
+    if not len(vertex_rows):
+        replay(stream)
+        return
+    sizes = SIZE[tags[vertex_rows]]
+    size = int(sizes.max())
+    positions = _filled(values[vertex_rows], sizes)[:, :size]
+    arrays: list[tuple[int, NDArray[np.float32]]] = []
+    last: list[bytes] = []
+    for kind in (NORMAL, COLOR, TEXCOORD):
+        rows = np.flatnonzero(kinds == kind)
+        if not len(rows):
+            continue
+        at = int(rows[-1])
+        record = stream[at * RECORD_BYTES : (at + 1) * RECORD_BYTES]
+        if rows[-1] < vertex_rows[0]:
+            replay(record)
+            continue
+        last.append(record)
+        arrays.append((kind, _per_vertex(kind, kinds, rows, vertex_rows, tags, values)))
+    _draw_arrays(mode, np.ascontiguousarray(positions), arrays)
+    for record in last:
+        replay(record)
+
+
+def _filled(values: NDArray[np.float32], sizes: NDArray[np.int8]) -> NDArray[np.float32]:
+    """Values (N, 4) with what GL puts for the components that were not given: 0, 0, 0, 1."""
+    filled = np.ascontiguousarray(values)
+    if (sizes < 4).any():
+        filled = filled.copy() if filled is values else filled
+        filled[sizes < 4, 3] = 1.0
+    return filled
+
+
+def _per_vertex(
+    kind: int,
+    kinds: NDArray[np.int8],
+    rows: NDArray[np.intp],
+    vertex_rows: NDArray[np.intp],
+    tags: NDArray[np.int32],
+    values: NDArray[np.float32],
+) -> NDArray[np.float32]:
+    """The attribute that is current at each vertex, (V, 3 or 4) float32."""
+    _, current_name, components = _ARRAYS[kind]
+    given = _filled(values[rows], SIZE[tags[rows]])
+    if kind == COLOR:
+        scaled = UNSIGNED_BYTE[tags[rows]]
+        if scaled.any():
+            whole = SIZE[tags[rows]] == 4
+            given[scaled, :3] /= np.float32(255.0)
+            given[scaled & whole, 3] /= np.float32(255.0)
+    which = np.cumsum(kinds == kind)[vertex_rows] - 1
+    result = given[which]
+    before = which < 0
+    if before.any():
+        current = (ctypes.c_float * 4)()
+        gl.glGetFloatv(current_name, current)
+        result[before] = np.frombuffer(current, np.float32)
+    return np.ascontiguousarray(result[:, :components])
+
+
+def _draw_arrays(
+    mode: int, positions: NDArray[np.float32], arrays: list[tuple[int, NDArray[np.float32]]]
+) -> None:
+    gl.glPushClientAttrib(0x2)
+    for state in _CLIENT_STATES:
+        gl.glDisableClientState(state)
+    try:
+        gl.glBindBuffer(0x8892, 0)
+    except AttributeError:  # OpenGL 1.4 has no buffers to unbind
+        pass
+    for unit in range(_texture_units(), -1, -1):
+        if unit:
+            gl.glClientActiveTexture(0x84C0 + unit)
+            gl.glDisableClientState(0x8078)
+    gl.glClientActiveTexture(0x84C0)
+    gl.glDisableClientState(0x8078)
+    gl.glEnableClientState(_VERTEX_ARRAY)
+    gl.glVertexPointer(positions.shape[1], _GL_FLOAT, 0, positions.ctypes.data)
+    for kind, array in arrays:
+        gl.glEnableClientState(_ARRAYS[kind][0])
+        if kind == NORMAL:
+            gl.glNormalPointer(_GL_FLOAT, 0, array.ctypes.data)
+        elif kind == COLOR:
+            gl.glColorPointer(4, _GL_FLOAT, 0, array.ctypes.data)
+        else:
+            gl.glTexCoordPointer(4, _GL_FLOAT, 0, array.ctypes.data)
+    gl.glDrawArrays(mode, 0, len(positions))
+    gl.glPopClientAttrib()
+
+
+def _texture_units() -> int:
+    """Highest texture unit whose client array may be enabled."""
+    return max(0, min(_integer(0x84E2), 8) - 1)
+
+
+def check(real: Callable[..., Any]) -> Any:
+    """PyOpenGL's own error check of a call that was made past it."""
+    function = getattr(real, "__self__", None)
+    checker = getattr(function, "errcheck", None)
+    return checker(None, function, ()) if checker is not None else None
+
+
+def read(row: Attribute, value: Any = None, *_: Any) -> list[Any]:
+    """The components behind a pointer-like argument of a raw vector call, as Python numbers.
+
+    Raises whatever PyOpenGL raises for something that has no address.
+    """
+    from OpenGL import arrays
+
+    if value is None:
+        raise TypeError("no address")
+    address = getattr(arrays, _C_TYPES[row.type]).dataPointer(value)
+    return list((_ELEMENTS[row.type] * row.size).from_address(int(address)))

@@ -1,0 +1,304 @@
+"""Records what is said between glBegin and glEnd, and hands it on at glEnd.
+
+The driver's glBegin is issued at once, so whatever is illegal inside a primitive fails there as it
+would without us. Vertices and attributes are packed into 20-byte records instead of being sent; at
+glEnd they go to the driver in one piece (``forward.py``). Anything that may look at or depend on
+them before that makes the recorder *spill*: what was recorded is replayed call by call, and the
+rest of the primitive goes straight through, recorded as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from io import BytesIO
+from struct import Struct
+from typing import Any, Protocol
+
+from numpy import ndarray
+
+from ..spec.attributes import ATTRIBUTES, Attribute
+from ..spec.driver import gl
+from . import forward
+from .raw import RAW, Call, Maker
+
+_MISSING: Any = object()
+_SEQUENCES = (list, tuple, ndarray)
+
+
+class PrimitiveSink(Protocol):
+    """Who wants to know about primitives."""
+
+    def begin(self, mode: int) -> None:
+        """Before the driver's glBegin."""
+
+    def end(self, mode: int, stream: bytes) -> None:
+        """After the driver has drawn it (or a list has taken it)."""
+
+
+class Recorder:
+    """The recording hooks and the state they share. One instance: :data:`RECORDER`."""
+
+    def __init__(self) -> None:
+        self.sink: PrimitiveSink | None = None
+        self.list_open = False
+        self._set: list[tuple[Callable[[str, Maker | None], None], str]] = []
+        self.spill: Callable[[], None] = lambda: None
+        """Send what is recorded so far, call by call; the rest of the primitive follows at once."""
+        self.extend: Callable[[bytes], None] = lambda records: None
+        """Add records of vertices that reached the driver another way (glArrayElement)."""
+        self.inside: Callable[[], bool] = lambda: False
+        """Whether a recorded glBegin is open."""
+
+    def install(self) -> None:
+        """Hook glBegin, glEnd and every recorded attribute."""
+        from OpenGL import _configflags
+
+        raw, wrappers = self._make()
+        for name, maker in raw.items():
+            RAW.hook(name, maker)
+            self._set.append((RAW.hook, name))
+        # ERROR_ON_COPY promises an error for every list: leave the wrappers to raise it.
+        if not _configflags.ERROR_ON_COPY:
+            for name, maker in wrappers.items():
+                RAW.hook_wrapper(name, maker)
+                self._set.append((RAW.hook_wrapper, name))
+
+    def uninstall(self) -> None:
+        """Send what is still recorded and take the hooks away."""
+        self.spill()
+        for place, name in self._set:
+            place(name, None)
+        self._set.clear()
+
+    def _make(self) -> tuple[dict[str, Maker], dict[str, Maker]]:
+        """Makers by name for the raw layer and for the wrappers.
+
+        They are closures over shared cells: the fastest state that pure Python offers.
+        """
+        deferred = False  # inside a primitive whose vertices are held back
+        shadow = False  # inside a primitive that goes straight through
+        mode = 0
+        stream = BytesIO()
+        write: Callable[[bytes], int] = stream.write
+
+        def spill() -> None:
+            nonlocal deferred, shadow
+            if deferred:
+                deferred, shadow = False, True
+                forward.replay(stream.getvalue())
+
+        def extend(records: bytes) -> None:
+            if shadow:
+                write(records)
+
+        self.spill, self.extend = spill, extend
+        self.inside = lambda: deferred or shadow
+
+        def make_begin(real: Call) -> Call:
+            def begin(new_mode: Any = _MISSING, *more: Any) -> Any:
+                nonlocal deferred, mode, stream, write
+                if deferred or shadow or not isinstance(new_mode, int) or not 0 <= new_mode <= 9:
+                    return real(new_mode, *more) if new_mode is not _MISSING else real()
+                if self.sink is not None:
+                    self.sink.begin(new_mode)
+                gl.glBegin(new_mode)
+                stream = BytesIO()
+                write = stream.write
+                mode = new_mode
+                deferred = True
+                return None
+
+            return begin
+
+        def make_end(real: Call) -> Call:
+            def end(*args: Any) -> Any:
+                nonlocal deferred, shadow
+                if not deferred and not shadow:
+                    return real(*args)
+                records = stream.getvalue()
+                held, deferred, shadow = deferred, False, False
+                try:
+                    if held and not self.list_open and forward.worthwhile(records):
+                        gl.glEnd()  # nothing may be asked inside a primitive: close it, empty
+                        if forward.drawable():
+                            forward.draw(mode, records)
+                            return forward.check(real)
+                        gl.glBegin(mode)
+                    if held:
+                        forward.replay(records)
+                    return real(*args)
+                finally:
+                    if self.sink is not None:
+                        self.sink.end(mode, records)
+
+            return end
+
+        def floats(row: Attribute) -> Maker:
+            tag, pack, size = row.tag, row.pack.pack, row.size
+
+            def other(real: Call, args: tuple[Any, ...]) -> Any:
+                """Straight through, or an argument that does not pack: the driver's call decides."""
+                args = tuple(a for a in args if a is not _MISSING)
+                spill()
+                result = real(*args)
+                if shadow:
+                    write(pack(tag, *args[:size]))
+                return result
+
+            def make1(real: Call) -> Call:
+                def record(x: Any = _MISSING, *more: Any) -> Any:
+                    if deferred:
+                        try:
+                            write(pack(tag, x))
+                            return None
+                        except Exception:  # noqa: S110 - the driver's own call tells what is wrong
+                            pass
+                    return other(real, (x, *more))
+
+                return record
+
+            def make2(real: Call) -> Call:
+                def record(x: Any = _MISSING, y: Any = _MISSING, *more: Any) -> Any:
+                    if deferred:
+                        try:
+                            write(pack(tag, x, y))
+                            return None
+                        except Exception:  # noqa: S110
+                            pass
+                    return other(real, (x, y, *more))
+
+                return record
+
+            def make3(real: Call) -> Call:
+                def record(
+                    x: Any = _MISSING, y: Any = _MISSING, z: Any = _MISSING, *more: Any
+                ) -> Any:
+                    if deferred:
+                        try:
+                            write(pack(tag, x, y, z))
+                            return None
+                        except Exception:  # noqa: S110
+                            pass
+                    elif not shadow and z is not _MISSING:
+                        return real(x, y, z, *more)
+                    return other(real, (x, y, z, *more))
+
+                return record
+
+            def make4(real: Call) -> Call:
+                def record(*args: Any) -> Any:
+                    if deferred:
+                        try:
+                            write(pack(tag, *args))
+                            return None
+                        except Exception:  # noqa: S110
+                            pass
+                    return other(real, args)
+
+                return record
+
+            return (make1, make2, make3, make4)[size - 1]
+
+        def integers(row: Attribute) -> Maker:
+            tag, pack, size = row.tag, row.pack.pack, row.size
+            convert = _INTEGERS[row.type](size)
+
+            def make(real: Call) -> Call:
+                def record(*args: Any) -> Any:
+                    if deferred:
+                        try:
+                            write(pack(tag, *convert(*args)))
+                            return None
+                        except Exception:
+                            spill()
+                    result = real(*args)
+                    if shadow:
+                        write(pack(tag, *convert(*(int(a) for a in args[:size]))))
+                    return result
+
+                return record
+
+            return make
+
+        def pointers(row: Attribute) -> Maker:
+            """The vector form on the raw layer: its argument is something with an address."""
+            tag, pack, size = row.tag, row.pack.pack, row.size
+            convert = _INTEGERS[row.type](size) if row.type in _INTEGERS else None
+
+            def make(real: Call) -> Call:
+                def record(*args: Any) -> Any:
+                    if not deferred and not shadow:
+                        return real(*args)
+                    try:
+                        values = forward.read(row, *args)
+                        record = pack(tag, *(convert(*values) if convert else values))
+                    except Exception:
+                        spill()
+                        return real(*args)
+                    if shadow:
+                        result = real(*args)
+                        write(record)
+                        return result
+                    write(record)
+                    return None
+
+                return record
+
+            return make
+
+        def vectors(row: Attribute) -> Maker:
+            """The vector form as PyOpenGL wraps it: lists, tuples and arrays are unpacked here."""
+            tag, pack = row.tag, row.pack.pack
+            convert = _INTEGERS[row.type](row.size) if row.type in _INTEGERS else None
+
+            def make(base: Call) -> Call:
+                def record(this: Any, v: Any = _MISSING, *more: Any) -> Any:
+                    if deferred and type(v) in _SEQUENCES:
+                        try:
+                            write(pack(tag, *(convert(*v) if convert else v)))
+                            return None
+                        except Exception:  # noqa: S110 - PyOpenGL's own conversion raises or copes
+                            pass
+                    return base(this, *((v, *more) if v is not _MISSING else ()))
+
+                return record
+
+            return make
+
+        raw: dict[str, Maker] = {"glBegin": make_begin, "glEnd": make_end}
+        wrappers: dict[str, Maker] = {}
+        for row in ATTRIBUTES:
+            raw[row.name] = integers(row) if row.type in _INTEGERS else floats(row)
+            raw[row.name + "v"] = pointers(row)
+            wrappers[row.name + "v"] = vectors(row)
+        return raw, wrappers
+
+
+def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
+    def sized(size: int) -> Callable[..., tuple[Any, ...]]:
+        check = Struct(f"={size}{letter}").pack
+
+        def convert(*args: Any) -> tuple[Any, ...]:
+            check(*args)  # floats, or integers that C would wrap: not recorded
+            return args
+
+        return convert
+
+    return sized
+
+
+def _bytes(size: int) -> Callable[..., tuple[Any, ...]]:
+    if size == 3:
+        return lambda r, g, b: (r & 255, g & 255, b & 255)
+    return lambda r, g, b, a: (r & 255, g & 255, b & 255, a & 255)
+
+
+_INTEGERS: dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]] = {
+    "i": _ranged("i"),
+    "s": _ranged("h"),
+    "u": _bytes,
+    "b": lambda size: lambda flag: (1.0 if flag & 255 else 0.0,),
+}
+"""By type letter: from an argument count to what turns C integers into the recorded floats."""
+
+RECORDER = Recorder()
