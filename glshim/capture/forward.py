@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from struct import Struct
 from typing import Any
 
 import numpy as np
@@ -22,8 +21,8 @@ from ..spec.attributes import (
     RECORD_BYTES,
     REPLAY,
     SIZE,
+    TAG_OFFSET,
     TEXCOORD,
-    UNSIGNED_BYTE,
     VERTEX,
     Attribute,
     decode,
@@ -48,29 +47,22 @@ _C_TYPES = {"f": "GLfloatArray", "d": "GLdoubleArray", "i": "GLintArray", "s": "
 _ELEMENTS = {"f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
              "u": ctypes.c_ubyte, "b": ctypes.c_ubyte}  # fmt: skip
 
-_records = Struct("=i4f").iter_unpack
-_calls: list[tuple[Callable[..., Any], int]] = []
+_calls: list[Callable[[bytes], Any]] = []
 
 
-def _bare_calls() -> list[tuple[Callable[..., Any], int]]:
+def _bare_calls() -> list[Callable[[bytes], Any]]:
     if not _calls:
-        _calls.extend((getattr(gl, name), size) for name, size in REPLAY)
+        for name in REPLAY:
+            bare = getattr(gl, name)
+            _calls.append(bare if name.endswith("v") else lambda r, bare=bare: bare(any(r[:4])))
     return _calls
 
 
 def replay(stream: bytes) -> None:
     """Say the recorded calls to the driver one by one. Exact in every case."""
     calls = _calls or _bare_calls()
-    for tag, x, y, z, w in _records(stream):
-        call, size = calls[tag]
-        if size == 3:
-            call(x, y, z)
-        elif size == 2:
-            call(x, y)
-        elif size == 4:
-            call(x, y, z, w)
-        else:
-            call(x)
+    for at in range(0, len(stream), RECORD_BYTES):
+        calls[stream[at + TAG_OFFSET]](stream[at : at + TAG_OFFSET])
 
 
 def worthwhile(stream: bytes) -> bool:
@@ -158,12 +150,6 @@ def _per_vertex(
     """The attribute that is current at each vertex, (V, 3 or 4) float32."""
     _, current_name, components = _ARRAYS[kind]
     given = _filled(values[rows], SIZE[tags[rows]])
-    if kind == COLOR:
-        scaled = UNSIGNED_BYTE[tags[rows]]
-        if scaled.any():
-            whole = SIZE[tags[rows]] == 4
-            given[scaled, :3] /= np.float32(255.0)
-            given[scaled & whole, 3] /= np.float32(255.0)
     which = np.cumsum(kinds == kind)[vertex_rows] - 1
     result = given[which]
     before = which < 0
@@ -214,6 +200,13 @@ def check(real: Callable[..., Any]) -> Any:
     function = getattr(real, "__self__", None)
     checker = getattr(function, "errcheck", None)
     return checker(None, function, ()) if checker is not None else None
+
+
+def error_checker() -> Any:
+    """PyOpenGL's error checker for GL, None when the app has switched error checking off."""
+    from OpenGL.raw.GL import _errors
+
+    return _errors._error_checker
 
 
 def read(row: Attribute, value: Any = None, *_: Any) -> list[Any]:

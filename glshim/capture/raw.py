@@ -119,6 +119,11 @@ class RawLayer:
                     break
         return maker
 
+    def original(self, name: str) -> Call | None:
+        """PyOpenGL's own raw call of that name, past any hook; None when it has not loaded it."""
+        slots = self._raw.get(name)
+        return slots[0].original if slots else None
+
     def hook(self, name: str, maker: Maker | None) -> None:
         """Hook every raw object of that name, now and when it loads; None unhooks."""
         if maker is None:

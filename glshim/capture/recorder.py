@@ -142,14 +142,14 @@ class Recorder:
                 spill()
                 result = real(*args)
                 if shadow:
-                    write(pack(tag, *args[:size]))
+                    write(pack(*args[:size], tag))
                 return result
 
             def make1(real: Call) -> Call:
                 def record(x: Any = _MISSING, *more: Any) -> Any:
                     if deferred:
                         try:
-                            write(pack(tag, x))
+                            write(pack(x, tag))
                             return None
                         except Exception:  # noqa: S110 - the driver's own call tells what is wrong
                             pass
@@ -161,7 +161,7 @@ class Recorder:
                 def record(x: Any = _MISSING, y: Any = _MISSING, *more: Any) -> Any:
                     if deferred:
                         try:
-                            write(pack(tag, x, y))
+                            write(pack(x, y, tag))
                             return None
                         except Exception:  # noqa: S110
                             pass
@@ -175,7 +175,7 @@ class Recorder:
                 ) -> Any:
                     if deferred:
                         try:
-                            write(pack(tag, x, y, z))
+                            write(pack(x, y, z, tag))
                             return None
                         except Exception:  # noqa: S110
                             pass
@@ -189,7 +189,7 @@ class Recorder:
                 def record(*args: Any) -> Any:
                     if deferred:
                         try:
-                            write(pack(tag, *args))
+                            write(pack(*args, tag))
                             return None
                         except Exception:  # noqa: S110
                             pass
@@ -207,13 +207,13 @@ class Recorder:
                 def record(*args: Any) -> Any:
                     if deferred:
                         try:
-                            write(pack(tag, *convert(*args)))
+                            write(pack(*convert(*args), tag))
                             return None
                         except Exception:
                             spill()
                     result = real(*args)
                     if shadow:
-                        write(pack(tag, *convert(*(int(a) for a in args[:size]))))
+                        write(pack(*convert(*(int(a) for a in args[:size])), tag))
                     return result
 
                 return record
@@ -231,7 +231,7 @@ class Recorder:
                         return real(*args)
                     try:
                         values = forward.read(row, *args)
-                        record = pack(tag, *(convert(*values) if convert else values))
+                        record = pack(*(convert(*values) if convert else values), tag)
                     except Exception:
                         spill()
                         return real(*args)
@@ -255,7 +255,7 @@ class Recorder:
                 def record(this: Any, v: Any = _MISSING, *more: Any) -> Any:
                     if deferred and type(v) in _SEQUENCES:
                         try:
-                            write(pack(tag, *(convert(*v) if convert else v)))
+                            write(pack(*(convert(*v) if convert else v), tag))
                             return None
                         except Exception:  # noqa: S110 - PyOpenGL's own conversion raises or copes
                             pass
@@ -267,11 +267,36 @@ class Recorder:
 
         raw: dict[str, Maker] = {"glBegin": make_begin, "glEnd": make_end}
         wrappers: dict[str, Maker] = {}
+        checker = forward.error_checker()
+        if checker is not None:
+            wrappers["glBegin"] = _quick("glBegin", make_begin, checker.onBegin)
+            wrappers["glEnd"] = _quick("glEnd", make_end, checker.onEnd)
         for row in ATTRIBUTES:
             raw[row.name] = integers(row) if row.type in _INTEGERS else floats(row)
             raw[row.name + "v"] = pointers(row)
             wrappers[row.name + "v"] = vectors(row)
         return raw, wrappers
+
+
+def _quick(name: str, make: Maker, before: Callable[[], None]) -> Maker:
+    """What PyOpenGL's lazy wrapper does, less two Python calls: its bookkeeping, then the hook."""
+
+    def make_wrapper(base: Call) -> Call:
+        hook: Call | None = None
+
+        def wrapper(this: Any, *args: Any) -> Any:
+            nonlocal hook
+            if hook is None:
+                real = RAW.original(name)
+                if real is None:  # not loaded yet: the long way loads it
+                    return base(this, *args)
+                hook = make(real)
+            before()
+            return hook(*args)
+
+        return wrapper
+
+    return make_wrapper
 
 
 def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
@@ -288,9 +313,12 @@ def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
 
 
 def _bytes(size: int) -> Callable[..., tuple[Any, ...]]:
+    """Unsigned bytes as C takes them (300 is 44), made 0..1 as GL does."""
     if size == 3:
-        return lambda r, g, b: (r & 255, g & 255, b & 255)
-    return lambda r, g, b, a: (r & 255, g & 255, b & 255, a & 255)
+        return lambda r, g, b: ((r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0)
+    return lambda r, g, b, a: (
+        (r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0, (a & 255) / 255.0
+    )  # fmt: skip
 
 
 _INTEGERS: dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]] = {

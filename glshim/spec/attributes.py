@@ -1,7 +1,8 @@
 """Signatures of the recorded vertex attributes, as data.
 
-A recorded call is 20 bytes: an int32 tag and four float32 values (unused ones zero). The tag is the
-row's index here; GL keeps vertices and attributes as floats too, so nothing is lost.
+A recorded call is 20 bytes: four float32 values (unused ones zero) and an int32 tag. The tag is the
+row's index here; GL keeps vertices and attributes as floats too, so nothing is lost. Values come
+first so that a record can be handed to a ``…fv`` entry point as it is.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ VERTEX, NORMAL, COLOR, TEXCOORD, EDGE_FLAG = range(5)
 """Kinds of recorded calls."""
 
 RECORD_BYTES = 20
+TAG_OFFSET = 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,10 +29,10 @@ class Attribute:
     size: int
     """Number of arguments."""
     type: str
-    """f or d (floats), i or s (integers made floats), u (unsigned bytes, a colour), b (switch)."""
+    """f or d (floats), i or s (integers made floats), u (unsigned bytes made 0..1), b (switch)."""
     tag: int
     pack: Struct
-    """Packs (tag, values ...) to one record."""
+    """Packs (values ..., tag) to one record."""
 
 
 def _rows() -> tuple[Attribute, ...]:
@@ -45,7 +47,7 @@ def _rows() -> tuple[Attribute, ...]:
     def add(name: str, kind: int, size: int, type_: str) -> None:
         pad = f"{16 - 4 * size}x" if size < 4 else ""
         rows.append(
-            Attribute(name, kind, size, type_[0], len(rows), Struct(f"=i{size}f{pad}"))
+            Attribute(name, kind, size, type_[0], len(rows), Struct(f"={size}f{pad}i"))
         )
 
     for stem, kind, sizes, types in table:
@@ -63,21 +65,14 @@ KIND = np.array([row.kind for row in ATTRIBUTES], np.int8)
 """(tags,) kind of each tag."""
 SIZE = np.array([row.size for row in ATTRIBUTES], np.int8)
 """(tags,) argument count of each tag."""
-UNSIGNED_BYTE = np.array([row.type == "u" for row in ATTRIBUTES], np.bool_)
-"""(tags,) values are 0..255 and stand for 0..1."""
-
 REPLAY = tuple(
-    (
-        f"{row.name[:-1] if row.type in 'dis' else row.name}"
-        + ("f" if row.type in "dis" else ""),
-        row.size,
-    )
+    "glEdgeFlag" if row.kind == EDGE_FLAG else f"{row.name.rstrip('dfisub')}fv"
     for row in ATTRIBUTES
 )
-"""For each tag the bare float entry point that says the same, and its argument count."""
+"""For each tag the bare entry point that says the same (a ``fv`` one straight from a record)."""
 
 
 def decode(stream: bytes) -> tuple[np.ndarray, np.ndarray]:
     """Tags (N,) int32 and values (N, 4) float32 of a recorded stream, as views."""
     records = np.frombuffer(stream, np.float32).reshape(-1, 5)
-    return records.view(np.int32)[:, 0], records[:, 1:]
+    return records.view(np.int32)[:, 4], records[:, :4]

@@ -29,10 +29,9 @@ SIGNATURES: dict[str, str] = {
     "glGetVertexAttribiv": "uup",
     # immediate mode
     "glBegin": "u", "glEnd": "",
-    "glVertex2f": "ff", "glVertex3f": "fff", "glVertex4f": "ffff",
-    "glNormal3f": "fff", "glColor3f": "fff", "glColor4f": "ffff",
-    "glTexCoord1f": "f", "glTexCoord2f": "ff", "glTexCoord3f": "fff", "glTexCoord4f": "ffff",
-    "glColor3ub": "bbb", "glColor4ub": "bbbb", "glEdgeFlag": "b",
+    "glVertex2fv": "p", "glVertex3fv": "p", "glVertex4fv": "p", "glNormal3fv": "p",
+    "glColor3fv": "p", "glColor4fv": "p", "glTexCoord1fv": "p", "glTexCoord2fv": "p",
+    "glTexCoord3fv": "p", "glTexCoord4fv": "p", "glEdgeFlag": "b",
     # arrays
     "glVertexPointer": "iuip", "glNormalPointer": "uip", "glColorPointer": "iuip",
     "glTexCoordPointer": "iuip", "glEnableClientState": "u", "glDisableClientState": "u",

@@ -50,7 +50,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.IN_PRIMITIVE, r"glNormal3[bis]v?|glNormal3(h|x)v?(OES|NV)|glNormalP3uiv?"),
     (Role.IN_PRIMITIVE, r"glColor[34](b|s|i|us|ui)v?|glColor[34](h|x)v?(OES|NV)|glColorP[34]uiv?"),
     (Role.IN_PRIMITIVE, r"glTexCoord[1234](b|h|x)v?(OES|NV)|glTexCoordP[1234]uiv?"),
-    (Role.IN_PRIMITIVE, r"gl(Color|Normal|TexCoord|Replacement)\w*Vertex\w*SUN"),
+    (Role.IN_PRIMITIVE, r"gl(Color|Normal|TexCoord)\w*Vertex\w*SUN"),
     (Role.IN_PRIMITIVE, r"glReplacementCode\w+SUN|glPrimitiveRestart(NV|IndexNV)?"),
     (Role.IN_PRIMITIVE, r"glMultiTexCoord(\d|P\d)\w+"),
     (Role.IN_PRIMITIVE, r"glSecondaryColor(3|P3)\w+|glFogCoord[dfhx]v?(EXT|NV|OES)?"),
@@ -91,7 +91,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
 
 KNOWN_PASS = re.compile(
     r"glDrawBuffer\w+|glReadBuffer\w*|glRead(Instruments)\w*|glCopyPathNV|glClear(Color|Depth|Stencil"
-    r"|Index|Accum|TexImage)\w*|gl(Begin|End)(ConditionalRender|Query|OcclusionQuery|Perf|Fragment"
+    r"|Index|Accum|TexSubImage|TexImage|TexSubImage)\w*|gl(Begin|End)(ConditionalRender|Query|OcclusionQuery|Perf|Fragment"
     r"|VertexShader|Video)\w*|glFinish\w+|glFlush\w+|glMapGrid\w*|glMap[12]\w+|glMap(Control|Param"
     r"|Vertex|Object|Texture)\w+|glUnmap(Object|Texture)\w+|glVertex(Binding|Blend|Format|Pointer"
     r"|Weight|Attrib|Array)\w*|glMulti(Tex|cast)\w+|glBuffer(Address|Attach|Page|Parameter|Storage)\w+"
