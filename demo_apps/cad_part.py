@@ -8,6 +8,7 @@ Drag to orbit, wheel or +/- to zoom, space to stop the turntable, ESC to leave.
 import math
 import sys
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 from OpenGL.GL import *
 from OpenGL.GLU import *
@@ -91,7 +92,7 @@ def lathe(profile: Sequence[Point]) -> None:
     """Turn a polyline of (radius, z) about the z axis; the part lies left of the polyline."""
     steps = HOLES * ARC
     turn = [2 * math.pi * (i / steps - 0.5 / HOLES) for i in range(steps + 1)]
-    for (r0, z0), (r1, z1) in zip(profile, profile[1:], strict=False):
+    for (r0, z0), (r1, z1) in pairwise(profile):
         length = math.hypot(r1 - r0, z1 - z0)
         nr, nz = (z1 - z0) / length, (r0 - r1) / length
         glBegin(GL_QUAD_STRIP)

@@ -42,13 +42,15 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.programs", description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("out/programs"), help="folder for PNGs")
     parser.add_argument("--only", default="*", metavar="PATTERN", help="programs to run, a glob")
-    parser.add_argument("--style", default="raskar", help="the style beside none")
+    parser.add_argument("--style", default="raskar:ink=#e8641b",
+                        help="the style beside none; by default with an ink that always shows")
     parser.add_argument("--all", action="store_true",
                         help="every fixed-function script of PyOpenGL-Demo, not only the list")
     choice = parser.parse_args()
     programs = every_demo() if choice.all else PROGRAMS
     chosen = [p for p in programs if fnmatch.fnmatch(p.name, f"*{choice.only}*")]
-    print(f"| program | plain == plain | none == plain | {choice.style}: changed px | picture |")
+    styled = choice.style.partition(":")[0]
+    print(f"| program | plain == plain | none == plain | {styled}: changed px | picture |")
     print("|---|---|---|---|---|")
     faults = 0
     try:

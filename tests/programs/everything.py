@@ -5,8 +5,8 @@ from .sources import unpacked
 
 # Libraries, set-up scripts and programs that want a toolkit or input of their own.
 LEFT_OUT = ("__init__.py", "setup.py", "shader", "Shader")
-DRAWS = ("glBegin", "glVertex", "glCallList", "glDrawArrays", "glDrawElements", "glutSolid", "glMap",
-         "gluSphere", "gluNurbsSurface", "gle")
+DRAWS = ("glBegin", "glVertex", "glCallList", "glDrawArrays", "glDrawElements", "glutSolid",
+         "glMap", "gluSphere", "gluNurbsSurface", "gle")
 
 
 def every_demo() -> tuple[Program, ...]:

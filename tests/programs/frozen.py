@@ -1,12 +1,13 @@
 """Run one program unmodified, with its clock and its luck frozen, and save what it presents.
 
-`python frozen.py OUT FRAMES TARGET [ARGS...]` runs the script TARGET (or the module `-m NAME`) as `__main__`.
-It imports nothing of glshim and calls no OpenGL of its own: each picture is read from the X screen after
-the program's own call that presents it, so it is the same code, with the same result, whether or not
-another program has hooked OpenGL above or below these hooks.
+`python frozen.py OUT FRAMES TARGET [ARGS...]` runs the script TARGET (or the module `-m NAME`)
+as `__main__`. It imports nothing of glshim and draws nothing: each picture is read from the X
+screen after the program's own call that presents it, so it is the same code, with the same result,
+whether or not another program has hooked OpenGL above or below these hooks.
 
-Time stands still while a frame is made and moves by STEP between frames; GLUT's timers and idle calls are
-served one round a frame, after the window has settled, so that every run sees the same sequence of events.
+Time stands still while a frame is made and moves by STEP between frames; GLUT's timers and idle
+calls are served one round a frame, after the window has settled, so that every run sees the same
+sequence of events.
 """
 
 import ctypes
@@ -26,7 +27,7 @@ from typing import Any
 import numpy as np
 
 STEP = 0.02  # seconds that pass with each frame
-SETTLE = 12  # rounds of the main loop before GLUT's first display, until the window is on the screen
+SETTLE = 12  # rounds of GLUT's main loop before the first display: the window comes up
 QUIET = 40  # rounds without a new picture after which a program that stands still is done
 GL_DOUBLEBUFFER = 0x0C32
 Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)
@@ -68,9 +69,12 @@ class Screen:
         self.gl.glGetBooleanv(GL_DOUBLEBUFFER, ctypes.byref(answer))
         return bool(answer.value)
 
-    def grab(self) -> "np.ndarray[Any, Any] | None":
-        """(height, width, 3) uint8, or None where no window is current."""
-        x, window = self.x, ctypes.c_ulong(self.gl.glXGetCurrentDrawable())
+    def grab(self, handle: int = 0) -> "np.ndarray[Any, Any] | None":
+        """(height, width, 3) uint8, or None where no window is current.
+
+        `handle` is the X window where GL draws to a GLX window instead (glfw does so).
+        """
+        x, window = self.x, ctypes.c_ulong(handle or self.gl.glXGetCurrentDrawable())
         display = ctypes.c_void_p(self.gl.glXGetCurrentDisplay())
         if not window or not display:
             return None
@@ -113,8 +117,8 @@ class Recorder:
         self.last_seen = real_clock()
         self.screen = Screen()
 
-    def presented(self) -> None:
-        picture = self.screen.grab()
+    def presented(self, window: int = 0) -> None:
+        picture = self.screen.grab(window)
         self.last_seen = real_clock()
         if picture is None:
             return
@@ -181,9 +185,9 @@ def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
 class GlutLoop:
     """GLUT's idle function, timers and clock, served from one pump in a fixed order.
 
-    freeglut calls idle functions and timers as often as real time allows, and displays when the window
-    happens to be exposed. The pump waits until the window has settled, then serves one round after
-    another: clock, due timers, the program's idle function, a redisplay if any was asked for.
+    freeglut calls idle functions and timers as often as real time allows, and displays when the
+    window happens to be exposed. The pump waits until the window has settled, then serves one round
+    after another: clock, due timers, the program's idle function, a redisplay if one was asked for.
     """
 
     def __init__(self, glut: ModuleType, recorder: Recorder) -> None:
@@ -281,7 +285,13 @@ def freeze_pygame(pygame: ModuleType, recorder: Recorder) -> None:
 
 
 def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
-    around(glfw, "swap_buffers", recorder.presented)
+    swap = glfw.swap_buffers
+
+    def swap_buffers(window: Any) -> None:
+        swap(window)
+        recorder.presented(glfw.get_x11_window(window))
+
+    glfw.swap_buffers = swap_buffers  # type: ignore[attr-defined]
     glfw.get_time = lambda: recorder.now  # type: ignore[attr-defined]
 
 

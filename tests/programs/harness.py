@@ -32,7 +32,7 @@ class Run:
             np.array_equal(a, b) for a, b in zip(self.pictures, other.pictures, strict=True))
 
     def changed_pixels(self, other: "Run") -> int:
-        """The most pixels that differ between two pictures of the same frame, -1 for no comparison."""
+        """The most pixels that differ in one frame; -1 where the runs cannot be compared."""
         if len(self.pictures) != len(other.pictures) or not self.pictures:
             return -1
         counts = [-1 if a.shape != b.shape else int((a != b).any(axis=2).sum())
@@ -80,10 +80,11 @@ def run(program: Program, style: str | None, display: str, limit: float = 60.0) 
         log = Path(scratch) / "log"
         with log.open("w") as stream:
             try:
+                runner = [sys.executable, str(HERE / "frozen.py"), str(out), str(program.frames)]
                 status = subprocess.run(
-                    [sys.executable, str(HERE / "frozen.py"), str(out), str(program.frames), *command],
-                    cwd=folder, env=environment(style, display, paths), stdin=subprocess.DEVNULL,
-                    stdout=stream, stderr=subprocess.STDOUT, timeout=limit, check=False).returncode
+                    [*runner, *command], cwd=folder, env=environment(style, display, paths),
+                    stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT,
+                    timeout=limit, check=False).returncode
             except subprocess.TimeoutExpired:
                 status = 124
                 stream.write(f"\nended after {limit:.0f} s\n")

@@ -1,4 +1,4 @@
-"""Fetches other people's programs from the package registry, once, into a cache outside the repository."""
+"""Fetches other people's programs from the package registry, once, into a cache elsewhere."""
 
 import os
 import subprocess
@@ -58,7 +58,7 @@ def unpacked(name: str) -> Path:
 
 
 def launch(program: Program) -> tuple[list[str], Path, list[Path]]:
-    """What starts the program: its command, its working folder and what it must find on its path."""
+    """The program's command, its working folder and the folders it must find on its path."""
     paths: list[Path] = []
     folder = HERE.parent.parent
     if program.source in DISTRIBUTIONS:

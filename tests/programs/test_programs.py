@@ -9,6 +9,8 @@ from .harness import PLAIN, Run, run
 from .screen import NoScreen, virtual_screen
 from .sources import SourceMissing, launch
 
+VISIBLE = "raskar:ink=#e8641b"  # an ink that shows on black and on white
+
 
 @pytest.fixture(scope="module")
 def display() -> Iterator[str]:
@@ -43,14 +45,14 @@ def test_two_plain_runs_are_the_same(program: Program, plain: Run, display: str)
                for picture in plain.pictures), "nothing was drawn"
 
 
-def test_none_gives_the_plain_frames_to_the_byte(program: Program, plain: Run, display: str) -> None:
+def test_none_gives_the_plain_frames(program: Program, plain: Run, display: str) -> None:
     none = run(program, "none", display)
     assert not none.fault(), none.log
     assert none.same_as(plain), f"{none.changed_pixels(plain)} pixels differ\n{none.log}"
 
 
 def test_raskar_leaves_lines(program: Program, plain: Run, display: str) -> None:
-    styled = run(program, "raskar", display)
+    styled = run(program, VISIBLE, display)
     assert not styled.fault(), styled.log
     assert "Traceback" not in styled.log, styled.log
     changed = styled.changed_pixels(plain)
