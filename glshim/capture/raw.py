@@ -50,7 +50,7 @@ class RawLayer:
         self._wrappers: dict[str, list[_Slot]] = {}
         self._raw_makers: dict[str, Maker] = {}
         self._wrapper_makers: dict[str, Maker] = {}
-        self._matchers: list[Callable[[str], Maker | None]] = []
+        self.matchers: list[Callable[[str], Maker | None]] = []
         self._undo: list[Callable[[], None]] = []
 
     @property
@@ -112,7 +112,7 @@ class RawLayer:
     def _raw_maker(self, name: str) -> Maker | None:
         maker = self._raw_makers.get(name)
         if maker is None:
-            for matcher in self._matchers:
+            for matcher in self.matchers:
                 maker = matcher(name)
                 if maker is not None:
                     self._raw_makers[name] = maker
@@ -144,7 +144,7 @@ class RawLayer:
 
     def hook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
         """Hook every name for which the matcher gives a maker, now and when it loads."""
-        self._matchers.append(matcher)
+        self.matchers.append(matcher)
         for name in list(self._raw):
             if name not in self._raw_makers:
                 maker = matcher(name)
@@ -153,7 +153,7 @@ class RawLayer:
 
     def unhook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
         """Undo :meth:`hook_matching`."""
-        self._matchers.remove(matcher)
+        self.matchers.remove(matcher)
         for name in list(self._raw_makers):
             if matcher(name) is self._raw_makers[name]:
                 self.hook(name, None)
@@ -162,7 +162,7 @@ class RawLayer:
         """Leave PyOpenGL as it was found."""
         self._raw_makers.clear()
         self._wrapper_makers.clear()
-        self._matchers.clear()
+        self.matchers.clear()
         for slots in (*self._raw.values(), *self._wrappers.values()):
             for slot in slots:
                 slot.put(None)

@@ -30,6 +30,7 @@ class Role(Enum):
     LIST_CALL = "runs display lists"
     LIST_FORGET = "deletes display lists"
     MATRIX = "changes a matrix; followed while a display list is open"
+    SWITCH = "switches what lines depend on; followed while a display list is open"
     CLEAR = "clears buffers: the depth of a layer ends"
     READBACK = "reads the picture back: the layer must be in it"
     TARGET = "turns drawing to another framebuffer: the layer ends"
@@ -76,6 +77,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.MATRIX, r"gl(Load|Mult)(Transpose)?Matrix[dfx](ARB|OES)?|glLoadIdentity|glMatrixMode"),
     (Role.MATRIX, r"glPushMatrix|glPopMatrix|gl(Rotate|Scale|Translate)[dfx](OES)?"),
     (Role.MATRIX, r"gl(Ortho|Frustum)[fx]?(OES)?"),
+    (Role.SWITCH, r"gl(En|Dis)able|glFrontFace|glDepthMask|glPolygonMode|gl(Push|Pop)Attrib"),
     (Role.CLEAR, r"glClear|glClearBuffer(fi|fv|iv|uiv)|glClearNamedFramebuffer\w+"),
     (Role.READBACK, r"glReadn?Pixels(ARB|KHR)?|glCopy(Multi)?Tex(ture)?(Sub)?Image[123]D(EXT)?"),
     (Role.READBACK, r"glAccum(xOES)?|glBlit(Named)?Framebuffer\w*|glCopyImageSubData(NV)?"),

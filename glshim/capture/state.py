@@ -1,0 +1,144 @@
+"""What the driver says about a draw, read when the draw begins.
+
+Nothing is shadowed: C libraries change matrices and switches unseen. All of it is read into one
+buffer, whose bytes are the key under which the decoded state is found again.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..geometry.camera import Camera
+from ..spec.driver import current_context, gl
+
+_FLOATS = ((0x0BA6, 16), (0x0BA7, 16), (0x0B70, 2))
+_INTEGERS = (
+    ("viewport", 0x0BA2, 4),
+    ("scissor", 0x0C10, 4),
+    ("scissor_test", 0x0C11, 1),
+    ("polygon_mode", 0x0B40, 2),
+    ("color_mask", 0x0C23, 4),
+    ("front_face", 0x0B46, 1),
+    ("depth_test", 0x0B71, 1),
+    ("depth_func", 0x0B74, 1),
+    ("depth_mask", 0x0B72, 1),
+    ("render_mode", 0x0C40, 1),
+    ("program", 0x8B8D, 1),
+    ("framebuffer", 0x8CA6, 1),
+)
+_COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)
+
+_CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
+_LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class DrawState:
+    """State of the driver when a draw begins."""
+
+    camera: Camera
+    framebuffer: int
+    """Draw framebuffer name, 0 for the window."""
+    depth_tested: bool
+    """The depth test is on and means 'nearer wins'."""
+    flat: bool
+    """Parallel projection."""
+    obstacle: str
+    """Why polygons drawn now cannot carry lines; empty when they can."""
+    fill_faces: bool
+    """Polygons are filled."""
+
+
+class StateReader:
+    """Reads :class:`DrawState`; equal states give the same object."""
+
+    def __init__(self) -> None:
+        self._buffer = (ctypes.c_int32 * _COUNT)()
+        self._calls: list[tuple[Any, int, Any]] = []
+        self._known: dict[bytes, DrawState] = {}
+
+    def read(self) -> DrawState:
+        """The state now. A compatibility context must be current, outside glBegin/glEnd."""
+        for get, name, target in self._calls or self._prepare():
+            get(name, target)
+        key = bytes(self._buffer)
+        state = self._known.get(key)
+        if state is None:
+            if len(self._known) > 4096:
+                self._known.clear()
+            state = self._known[key] = self._decode(key)
+        return state
+
+    def _prepare(self) -> list[tuple[Any, int, Any]]:
+        offset = 0
+        for name, count in _FLOATS:
+            self._calls.append((gl.glGetFloatv, name, self._at(offset)))
+            offset += count
+        for _, name, count in _INTEGERS:
+            self._calls.append((gl.glGetIntegerv, name, self._at(offset)))
+            offset += count
+        return self._calls
+
+    def _at(self, offset: int) -> Any:
+        return ctypes.c_void_p(ctypes.addressof(self._buffer) + 4 * offset)
+
+    def _decode(self, key: bytes) -> DrawState:
+        floats = struct.unpack_from("=34f", key)
+        integers = struct.unpack_from(f"={_COUNT - 34}i", key, 34 * 4)
+        values: dict[str, tuple[int, ...]] = {}
+        at = 0
+        for name, _, count in _INTEGERS:
+            values[name] = integers[at : at + count]
+            at += count
+        camera = Camera(
+            modelview=np.array(floats[:16], np.float64).reshape(4, 4).T,
+            projection=np.array(floats[16:32], np.float64).reshape(4, 4).T,
+            viewport=values["viewport"],  # type: ignore[arg-type]
+            depth_range=(floats[32], floats[33]),
+            front_ccw=values["front_face"][0] == _CCW,
+            scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
+        )
+        fill = values["polygon_mode"] == (_FILL, _FILL)
+        func = values["depth_func"][0]
+        depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)
+        obstacle = ""
+        if values["render_mode"][0] != _RENDER:
+            obstacle = "selection or feedback"
+        elif values["program"][0]:
+            obstacle = "the app's own shader program is in use"
+        elif not any(values["color_mask"]):
+            obstacle = "no colour is written"
+        elif values["depth_test"][0] and not depth:
+            obstacle = "the depth function is not less or less-or-equal"
+        return DrawState(
+            camera=camera,
+            framebuffer=values["framebuffer"][0],
+            depth_tested=depth and bool(values["depth_mask"][0]),
+            flat=camera.orthographic,
+            obstacle=obstacle,
+            fill_faces=fill,
+        )
+
+
+def unsupported() -> str:
+    """Why the current context cannot be styled, empty when it can. Costs a few queries."""
+    if not current_context():
+        return "no context is current"
+    version = gl.glGetString(0x1F02)
+    text = ctypes.string_at(version).decode("ascii", "replace") if version else ""
+    try:
+        major, minor = (int(part) for part in text.split()[0].split(".")[:2])
+    except (ValueError, IndexError):
+        return f"version {text!r} is not one of desktop OpenGL"
+    if (major, minor) < (3, 3):
+        return f"OpenGL {major}.{minor} is older than 3.3"
+    mask = ctypes.c_int(0)
+    gl.glGetIntegerv(0x9126, ctypes.byref(mask))
+    if mask.value & 1:
+        return "a core profile has no fixed-function pipeline to follow"
+    return ""

@@ -1,0 +1,190 @@
+"""Hooks by role: what draws, clears, reads back or opens a list is told to a watcher.
+
+With style ``none`` only the recorder's own needs are hooked; a styler that wants polygons adds the
+rest. The watcher's faults never reach the app.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from ..spec.roles import Role, role_of
+from .raw import RAW, Call, Maker
+from .recorder import RECORDER, PrimitiveSink
+
+_SPILLING = frozenset((Role.IN_PRIMITIVE, Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL))
+"""Roles that what is recorded must not fall behind."""
+
+_WATCHED = frozenset(
+    (
+        Role.ARRAY_DRAW, Role.OPAQUE_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.PIXELS,
+        Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL, Role.LIST_FORGET, Role.CLEAR,
+        Role.READBACK, Role.TARGET, Role.BUFFER_WRITE, Role.CLIP_PLANE,
+    )
+)  # fmt: skip
+_IN_LISTS = frozenset((Role.MATRIX, Role.SWITCH))
+"""Roles that are followed only while a display list is open."""
+
+
+class Watcher(PrimitiveSink, Protocol):
+    """Who wants to know about draws."""
+
+    def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """Before PyOpenGL's raw call, outside primitives."""
+
+    def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """After it, also when it raised."""
+
+    def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
+        """After an IN_PRIMITIVE or list call inside a primitive; ``call`` would say it again."""
+
+    def shape(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
+        """After a C library drew something; ``call`` would draw it again."""
+
+    def flush(self, call: Callable[[], Any]) -> Any:
+        """In place of glFlush or glFinish, which ``call`` makes."""
+
+
+class Watch:
+    """The hooks by role. One instance: :data:`WATCH`."""
+
+    def __init__(self) -> None:
+        self._watcher: Watcher | None = None
+        self._makers: dict[str, Maker] = {}
+        self._list_makers: dict[str, Maker] = {}
+
+    def install(self) -> None:
+        """The hooks that the recorder needs for itself."""
+        RAW.hook_matching(self._own)
+
+    def uninstall(self) -> None:
+        """Undo :meth:`install` and :meth:`attach`."""
+        self.detach()
+        RAW.unhook_matching(self._own)
+
+    def attach(self, watcher: Watcher) -> None:
+        """Tell a watcher about every draw from now on."""
+        self._watcher = RECORDER.sink = watcher
+        RAW.hook_matching(self._watching)
+
+    def detach(self) -> None:
+        """Tell nobody any more."""
+        if self._watcher is not None:
+            self._follow_lists(False)
+            RAW.unhook_matching(self._watching)
+        self._watcher = RECORDER.sink = None
+
+    # -- makers, one per name, made when the name is first called -------------------------------
+
+    def _own(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role not in _SPILLING or (self._watcher is not None and role in _WATCHED):
+            return None
+        return self._maker("own:" + name, lambda: self._spilling(name, role))
+
+    def _watching(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role is Role.FLUSH:
+            return self._maker(name, lambda: self._flushing)
+        if role in _WATCHED:
+            return self._maker(name, lambda: self._telling(name, role))
+        return None
+
+    def _in_lists(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role not in _IN_LISTS:
+            return None
+        return self._maker(name, lambda: self._telling(name, role))
+
+    def _maker(self, key: str, make: Callable[[], Maker]) -> Maker:
+        if key not in self._makers:
+            self._makers[key] = make()
+        return self._makers[key]
+
+    def _spilling(self, name: str, role: Role) -> Maker:
+        opens, closes = role is Role.LIST_OPEN, role is Role.LIST_CLOSE
+
+        def maker(real: Call) -> Call:
+            spill, inside = RECORDER.spill, RECORDER.inside
+
+            def hook(*args: Any) -> Any:
+                if inside():
+                    spill()
+                    result = real(*args)
+                    if self._watcher is not None:
+                        self._watcher.inside(name, args, lambda: real(*args))
+                else:
+                    result = real(*args)
+                if opens:
+                    RECORDER.list_open = True
+                elif closes:
+                    RECORDER.list_open = False
+                return result
+
+            return hook
+
+        return maker
+
+    def _telling(self, name: str, role: Role) -> Maker:
+        if role is Role.LIST_OPEN or role is Role.LIST_CLOSE:
+            return self._bracket(name, role)
+
+        def maker(real: Call) -> Call:
+            inside = RECORDER.inside
+
+            def hook(*args: Any) -> Any:
+                watcher = self._watcher
+                if watcher is None:
+                    return real(*args)
+                if inside():
+                    RECORDER.spill()
+                    result = real(*args)
+                    watcher.inside(name, args, lambda: real(*args))
+                    return result
+                watcher.before(role, name, args)
+                try:
+                    return real(*args)
+                finally:
+                    watcher.after(role, name, args)
+
+            return hook
+
+        return maker
+
+    def _bracket(self, name: str, role: Role) -> Maker:
+        def maker(real: Call) -> Call:
+            def hook(*args: Any) -> Any:
+                RECORDER.spill()
+                watcher = self._watcher
+                opening = role is Role.LIST_OPEN
+                if watcher is not None and not opening:
+                    watcher.before(role, name, args)
+                result = real(*args)
+                RECORDER.list_open = opening
+                self._follow_lists(opening)
+                if watcher is not None and opening:
+                    watcher.after(role, name, args)
+                return result
+
+            return hook
+
+        return maker
+
+    def _follow_lists(self, follow: bool) -> None:
+        if follow and self._in_lists not in RAW.matchers:
+            RAW.hook_matching(self._in_lists)
+        elif not follow and self._in_lists in RAW.matchers:
+            RAW.unhook_matching(self._in_lists)
+
+    def _flushing(self, real: Call) -> Call:
+        def hook(*args: Any) -> Any:
+            watcher = self._watcher
+            if watcher is None or args or RECORDER.inside() or RECORDER.list_open:
+                return real(*args)
+            return watcher.flush(real)
+
+        return hook
+
+
+WATCH = Watch()
