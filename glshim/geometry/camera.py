@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,18 +32,71 @@ class Camera:
     """Scissor box in pixels, or None when the scissor test is off."""
     clip_planes: tuple[tuple[float, float, float, float], ...] = ()
     """Enabled user clip planes, in eye space."""
+    stencil: tuple[int, int, int] | None = None
+    """glStencilFunc's function, reference and mask, or None when the stencil test is off."""
+
+    def affine(self) -> Camera:
+        """An equal camera whose modelview is affine: an app that multiplies its perspective onto
+        the modelview stack gets its object space for an eye space."""
+        if (self.modelview[3] == (0.0, 0.0, 0.0, 1.0)).all():
+            return self
+        clip = self.projection @ self.modelview
+        a, b, c, d = ((np.asarray(self.clip_planes).reshape(-1, 4) @ self.modelview).T).tolist()
+        planes = tuple(zip(a, b, c, d, strict=True))
+        return replace(self, modelview=np.eye(4), projection=clip, clip_planes=planes)
 
     @property
     def mirrored(self) -> bool:
-        """Whether modelview and projection together turn windings round (negative scale)."""
-        m = self.projection @ self.modelview
-        # In homogeneous coordinates the screen-space winding of a facet in front of the eye
-        # is that of det[x y w], whose sign over the whole space is the sign of the 4x4
-        # determinant up to the sign that the usual z row contributes (z_ndc grows away from
-        # the eye while eye z points at it).
-        return bool(np.linalg.det(m) > 0.0)
+        """Whether modelview and projection together turn windings round (negative scale).
+
+        True when the near side of a closed object that winds counter-clockwise seen from
+        outside winds clockwise in the window. A projection alone counts too (a flipped y).
+        With near ahead of far in depth, that is a positive determinant.
+        """
+        return bool(np.linalg.det(self.projection @ self.modelview) > 0.0)
+
+    @property
+    def centre(self) -> NDArray[np.float64]:
+        """(4,) the eye in eye space, homogeneous and signed: for the plane ``(n, -n.p)`` of a
+        polygon with winding normal n, ``plane . centre`` has the sign of its area in the window
+        (positive: counter-clockwise), under any projection.
+
+        The window area of a triangle is the determinant of its (x, y, w) clip rows, and so, by
+        Cauchy-Binet, the product of its plane with the 3x3 minors of those rows.
+        """
+        return _minors(self.projection[[0, 1, 3]])
+
+    @property
+    def object_centre(self) -> NDArray[np.float64]:
+        """(4,) `centre` for planes in object space, exact for a singular modelview too."""
+        return _minors((self.projection @ self.modelview)[[0, 1, 3]])
+
+    @property
+    def viewpoint(self) -> NDArray[np.float64]:
+        """(4,) where the viewer is in eye space: a point (w = 1), or, for a parallel projection,
+        the unit direction towards the viewer (w = 0)."""
+        centre = self.centre
+        length = float(np.linalg.norm(centre[:3]))
+        if abs(centre[3]) > 1e-12 * max(length, 1e-300) and self.projection[3, :3].any():
+            return np.asarray(centre / centre[3])
+        direction = centre / max(length, 1e-300)
+        direction[3] = 0.0
+        return np.asarray(direction if self.projection[2] @ direction < 0.0 else -direction)
+
+    @property
+    def normal_matrix(self) -> NDArray[np.float64]:
+        """(3, 3) the cofactors of modelview's upper 3x3: takes area vectors (Newell normals)
+        from object to eye space, exact under any scale, shear or mirroring."""
+        m = self.modelview[:3, :3]
+        return np.stack([np.cross(m[i - 2], m[i - 1]) for i in range(3)])
 
     @property
     def orthographic(self) -> bool:
         """Whether w does not depend on the eye-space position (parallel projection)."""
         return bool(np.all(self.projection[3, :3] == 0.0))
+
+
+def _minors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(4,) the signed 3x3 minors of a 3x4 matrix: its null vector."""
+    columns = [np.delete(rows, k, axis=1) for k in range(4)]
+    return np.array([((-1.0) ** k) * np.linalg.det(c) for k, c in enumerate(columns)])

@@ -19,7 +19,7 @@ SHADER = Shader(
     "raskar",
     (_HERE / "raskar.vert.glsl").read_text("utf-8"),
     (_HERE / "raskar.frag.glsl").read_text("utf-8"),
-    vertices=5,
+    vertices=6,
 )
 
 

@@ -1,0 +1,86 @@
+"""GL's matrix calls in numpy: what each multiplies by or loads (OpenGL 2.1, section 2.11.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Matrix = NDArray[np.float64]
+
+
+def translation(x: float, y: float, z: float) -> Matrix:
+    """(4, 4) translation."""
+    m = np.eye(4)
+    m[:3, 3] = x, y, z
+    return m
+
+
+def scaling(x: float, y: float, z: float) -> Matrix:
+    """(4, 4) scaling."""
+    return np.diag([x, y, z, 1.0]).astype(np.float64)
+
+
+def rotation(angle: float, x: float, y: float, z: float) -> Matrix:
+    """(4, 4) rotation by degrees around an axis; the identity for a zero axis."""
+    axis = np.array([x, y, z], np.float64)
+    length = float(np.linalg.norm(axis))
+    m = np.eye(4)
+    if length == 0.0:
+        return m
+    x, y, z = axis / length
+    s, c = np.sin(np.radians(angle)), np.cos(np.radians(angle))
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    outer = np.outer((x, y, z), (x, y, z))
+    m[:3, :3] = outer + c * (np.eye(3) - outer) + s * cross
+    return m
+
+
+def orthographic(l: float, r: float, b: float, t: float, n: float, f: float) -> Matrix:  # noqa: E741
+    """(4, 4) parallel projection (glOrtho)."""
+    m = np.diag([2 / (r - l), 2 / (t - b), -2 / (f - n), 1.0])
+    m[:3, 3] = -(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n)
+    return m
+
+
+def frustum(l: float, r: float, b: float, t: float, n: float, f: float) -> Matrix:  # noqa: E741
+    """(4, 4) perspective projection (glFrustum)."""
+    return np.array(
+        [
+            [2 * n / (r - l), 0, (r + l) / (r - l), 0],
+            [0, 2 * n / (t - b), (t + b) / (t - b), 0],
+            [0, 0, -(f + n) / (f - n), -2 * f * n / (f - n)],
+            [0, 0, -1, 0],
+        ]
+    )
+
+
+def column_major(values: Any) -> Matrix:
+    """(4, 4) from GL's sixteen numbers in columns."""
+    return np.array(values, np.float64).reshape(4, 4).T
+
+
+def _calls() -> dict[str, Callable[..., tuple[Matrix, bool]]]:
+    def multiply(make: Callable[..., Matrix]) -> Callable[..., tuple[Matrix, bool]]:
+        return lambda *args: (make(*args), False)
+
+    table: dict[str, Callable[..., tuple[Matrix, bool]]] = {
+        "glLoadIdentity": lambda: (np.eye(4), True),
+        "glOrtho": multiply(orthographic),
+        "glFrustum": multiply(frustum),
+    }
+    for letter in "df":
+        table[f"glTranslate{letter}"] = multiply(translation)
+        table[f"glScale{letter}"] = multiply(scaling)
+        table[f"glRotate{letter}"] = multiply(rotation)
+        table[f"glMultMatrix{letter}"] = lambda v: (column_major(v), False)
+        table[f"glLoadMatrix{letter}"] = lambda v: (column_major(v), True)
+        table[f"glMultTransposeMatrix{letter}"] = lambda v: (column_major(v).T, False)
+        table[f"glLoadTransposeMatrix{letter}"] = lambda v: (column_major(v).T, True)
+    return table
+
+
+MATRIX_CALLS = _calls()
+"""By entry point: from its arguments (matrices as sequences) to (matrix, whether it is loaded)."""

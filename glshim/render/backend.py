@@ -1,0 +1,287 @@
+"""Draws to pixels, in the app's own GL context and inside the state guard."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from collections import OrderedDict
+from collections.abc import Hashable, Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.assembly.batch import PolygonBatch
+from glshim.errors import RenderError
+from glshim.geometry.camera import Camera
+from glshim.geometry.edges import RECORD, edges, join
+from glshim.render.driver import gl
+from glshim.render.guard import Guard, possible
+from glshim.styling.protocol import Draw, Shader, Uniform
+
+_PRELUDE = (files(__package__) / "shaders" / "edge.glsl").read_text("utf-8")
+_OFF = (  # what would change or drop the ink: each is enabled by some app
+    0x0B44,  # cull face
+    0x0B90,  # stencil test
+    0x0BE2,  # blend
+    0x0BC0,  # alpha test
+    0x0BF1, 0x0BF2,  # logic ops
+    0x0B42, 0x0B41,  # polygon stipple, smooth
+    0x8037,  # polygon offset fill
+    0x809E, 0x809F, 0x80A0,  # sample alpha to coverage, alpha to one, coverage
+    0x8C89,  # rasterizer discard
+    0x864F,  # depth clamp
+    *range(0x3000, 0x3006),  # clip planes
+)  # fmt: skip
+_DEPTH_TEST, _SCISSOR_TEST, _STENCIL_TEST = 0x0B71, 0x0C11, 0x0B90
+_DEPTH_FUNC, _DEPTH_BITS = 0x0B74, 0x0D56
+_LEQUAL, _GREATER, _GEQUAL = 0x0203, 0x0204, 0x0206
+_MOST_CLIP_PLANES = 6
+_HAIR = 4.0
+"""Steps of the depth buffer between a line and the surface that it belongs to."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Program:
+    program: Any
+    uniforms: dict[str, Any]
+
+    def set(self, name: str, value: Any) -> None:
+        found = self.uniforms.get(name)
+        if found is not None:
+            found.value = value
+
+    def write(self, name: str, value: NDArray[np.float64]) -> None:
+        found = self.uniforms.get(name)
+        if found is not None:
+            found.write(np.ascontiguousarray(value, np.float32))
+
+
+@dataclass(frozen=True, slots=True)
+class _Stored:
+    buffer: Any
+    count: int
+    size: int
+
+
+class Backend:
+    """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
+
+    def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
+        self._context = context
+        self._programs: dict[tuple[Shader, int], _Program] = {}
+        self._cache: OrderedDict[Hashable, _Stored] = OrderedDict()
+        self._cache_bytes, self._cached = cache_bytes, 0
+        self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
+        self._ring_at = 0
+        array = ctypes.c_uint()
+        gl.glGenVertexArrays(1, ctypes.addressof(array))
+        self._array = array.value
+        gl.glBindVertexArray(self._array)
+        for location in range(4):
+            gl.glEnableVertexAttribArray(location)
+            gl.glVertexAttribDivisor(location, 1)
+
+    @classmethod
+    def attach(cls, *, cache_bytes: int = 256 << 20, ring_bytes: int = 8 << 20) -> Backend:
+        """A backend in the current context, whose state stays as it was.
+
+        cache_bytes bounds the GPU memory of batches with a key, ring_bytes is that of the others
+        (it grows when one frame needs more). Raises `RenderError` when there is no context, it is
+        older than 3.3, or it has no fixed function (a core profile: nothing to restyle there).
+        """
+        version = gl.glGetString(0x1F02)
+        if not version:
+            raise RenderError("no GL context is current: nothing can be drawn")
+        text = ctypes.string_at(version).decode("ascii", "replace")
+        number = re.search(r"(\d+)\.(\d+)", text)
+        if " ES " in text or not number or tuple(map(int, number.groups())) < (3, 3):
+            raise RenderError(f"lines need OpenGL 3.3 or newer; this context is {text}")
+        if not possible():
+            raise RenderError("GL is compiling a list, selecting, or its attribute stack is full")
+        with Guard():
+            try:
+                context = moderngl.create_context(require=330)
+                return cls(context, cache_bytes, ring_bytes)
+            except Exception as error:
+                raise RenderError(f"no drawing in this context ({text}): {error}") from error
+
+    def render(self, draws: Iterable[Draw]) -> None:
+        """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
+
+        Does nothing where GL cannot draw now (a list being compiled, selection, a full attribute
+        stack) or where there is no depth buffer to hide lines. Raises `RenderError` when a
+        shader does not compile.
+        """
+        groups = _grouped(draws)
+        if not groups or not possible():
+            return
+        with Guard():
+            bits, function = _integer(_DEPTH_BITS), _integer(_DEPTH_FUNC)
+            if bits == 0:
+                return
+            greater = function in (_GREATER, _GEQUAL)
+            for capability in _OFF:
+                gl.glDisable(capability)
+            gl.glEnable(_DEPTH_TEST)
+            gl.glDepthFunc(_GEQUAL if greater else _LEQUAL)
+            gl.glDepthMask(0)
+            gl.glStencilMask(0)
+            gl.glColorMask(1, 1, 1, 1)
+            gl.glPolygonMode(0x0408, 0x1B02)
+            for group in groups:
+                self._draw(group, bits, greater)
+
+    def _draw(self, group: list[Draw], bits: int, greater: bool) -> None:
+        first = group[0]
+        camera = first.camera
+        view = _view(camera)
+        if view is None:
+            return
+        stored = self._records([draw.batch for draw in group])
+        if stored is None:
+            return
+        buffer, offset, count = stored
+        program = self._program(first.shader, min(len(camera.clip_planes), _MOST_CLIP_PLANES))
+        near, far = camera.depth_range
+        away = -1.0 if greater != (near > far) else 1.0
+        steps = 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
+        for name, matrix in view.items():
+            program.write(name, matrix)
+        program.set("half_viewport", (camera.viewport[2] / 2.0, camera.viewport[3] / 2.0))
+        program.set("winding", 1.0 if camera.front_ccw else -1.0)
+        program.set("hair", away * steps)
+        for key, value in first.uniforms.items():
+            program.set(key, value)
+        _set_up(camera)
+        gl.glUseProgram(program.program.glo)
+        gl.glBindVertexArray(self._array)
+        gl.glBindBuffer(0x8892, buffer.glo)
+        for location, (size, start) in enumerate(((3, 0), (3, 3), (3, 6), (4, 9))):
+            gl.glVertexAttribPointer(location, size, 0x1406, 0, RECORD * 4, offset + start * 4)
+        gl.glDrawArraysInstanced(0x0005, 0, first.shader.vertices, count)
+
+    def _records(self, batches: list[PolygonBatch]) -> tuple[Any, int, int] | None:
+        """Buffer, byte offset and number of the edge records; None when there are none."""
+        key = batches[0].key
+        if key is not None:
+            stored = self._cache.get(key)
+            if stored is None:
+                records = edges(batches[0]).records
+                buffer = self._context.buffer(records) if len(records) else None
+                stored = _Stored(buffer, len(records), records.nbytes)
+                self._cache[key] = stored
+                self._cached += stored.size
+                self._forget_beyond()
+            else:
+                self._cache.move_to_end(key)
+            return (stored.buffer, 0, stored.count) if stored.count else None
+        records = edges(join(batches)).records
+        if not len(records):
+            return None
+        size = records.nbytes
+        if size > self._ring.size:
+            self._ring.release()
+            self._ring = self._context.buffer(reserve=2 * size, dynamic=True)
+            self._ring_at = 0
+        if self._ring_at + size > self._ring.size:
+            self._ring.orphan()
+            self._ring_at = 0
+        offset = self._ring_at
+        self._ring.write(records, offset=offset)
+        self._ring_at = offset + size
+        return self._ring, offset, len(records)
+
+    def _forget_beyond(self) -> None:
+        while self._cached > self._cache_bytes and len(self._cache) > 1:
+            _, oldest = self._cache.popitem(last=False)
+            self._cached -= oldest.size
+            if oldest.buffer is not None:
+                oldest.buffer.release()
+
+    def _program(self, shader: Shader, planes: int) -> _Program:
+        found = self._programs.get((shader, planes))
+        if found is None:
+            head = f"#version 330\n#define CLIP_PLANES {planes}\n"
+            try:
+                program = self._context.program(
+                    vertex_shader=f"{head}{_PRELUDE}\n#line 1\n{shader.vertex}",
+                    fragment_shader=f"{head}#line 1\n{shader.fragment}",
+                )
+            except moderngl.Error as error:
+                raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
+            members = {name: program[name] for name in program}
+            uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
+            found = self._programs[shader, planes] = _Program(program, uniforms)
+        return found
+
+
+def _integer(name: int) -> int:
+    value = ctypes.c_int()
+    gl.glGetIntegerv(name, ctypes.addressof(value))
+    return value.value
+
+
+def _grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
+    """Draws that one GL draw serves: without a key and alike in all but the batch."""
+    groups: list[list[Draw]] = []
+    alike: dict[tuple[int, Shader, tuple[tuple[str, Uniform], ...]], list[Draw]] = {}
+    for draw in draws:
+        if draw.batch.polygon_count == 0:
+            continue
+        if draw.batch.key is not None:
+            groups.append([draw])
+            continue
+        same = (id(draw.camera), draw.shader, tuple(draw.uniforms.items()))
+        group = alike.get(same)
+        if group is None:
+            groups.append(alike.setdefault(same, [draw]))
+        else:
+            group.append(draw)
+    return groups
+
+
+def _view(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
+    """The camera's matrices as uniforms (columns first); None when nothing can be seen by it."""
+    camera = camera.affine()
+    if min(camera.viewport[2:]) <= 0:
+        return None
+    if not (np.isfinite(camera.modelview).all() and np.isfinite(camera.projection).all()):
+        return None
+    try:
+        unprojection = np.linalg.inv(camera.projection)
+    except np.linalg.LinAlgError:
+        return None
+    front = 1.0 if camera.front_ccw else -1.0
+    centre = camera.object_centre * front
+    length = float(np.linalg.norm(centre))
+    return {
+        "modelview": camera.modelview.T,
+        "projection": camera.projection.T,
+        "unprojection": unprojection.T,
+        "normal_matrix": camera.normal_matrix.T,
+        "centre": centre / length if length else centre,
+        "viewpoint": camera.viewpoint,
+    } | ({"clip_planes": np.array(camera.clip_planes[:6])} if camera.clip_planes else {})
+
+
+def _set_up(camera: Camera) -> None:
+    """The fixed state that belongs to a camera."""
+    gl.glViewport(*camera.viewport)
+    gl.glDepthRange(*camera.depth_range)
+    if camera.scissor is None:
+        gl.glDisable(_SCISSOR_TEST)
+    else:
+        gl.glEnable(_SCISSOR_TEST)
+        gl.glScissor(*camera.scissor)
+    if camera.stencil is None:
+        gl.glDisable(_STENCIL_TEST)
+    else:
+        gl.glEnable(_STENCIL_TEST)
+        gl.glStencilFunc(*camera.stencil)
+    for plane in range(_MOST_CLIP_PLANES):
+        switch = gl.glEnable if plane < len(camera.clip_planes) else gl.glDisable
+        switch(0x3000 + plane)

@@ -1,0 +1,100 @@
+"""The state guard: what runs inside it leaves every GL state and the error flag as they were."""
+
+from __future__ import annotations
+
+import ctypes
+from types import TracebackType
+
+from glshim.render.driver import gl
+
+_ALL = 0xFFFFFFFF
+_RENDER = 0x1C00
+_NO_ERROR = 0
+
+_STACKS = (0x0BB0, 0x0D35, 0x0BB1, 0x0D3B)  # attribute stack depth, its limit; the client's
+_RENDER_MODE = 0x0C40
+_LIST_INDEX = 0x0B33
+_PROGRAM = 0x8B8D
+_VERTEX_ARRAY = 0x85B5
+_DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER = 0x8CA6, 0x8CAA
+_RENDERBUFFER = 0x8CA7
+_ACTIVE_TEXTURE = 0x84E0
+_RASTERIZER_DISCARD = 0x8C89
+
+_KEPT = (
+    _PROGRAM,
+    _VERTEX_ARRAY,
+    _DRAW_FRAMEBUFFER,
+    _READ_FRAMEBUFFER,
+    _RENDERBUFFER,
+    _ACTIVE_TEXTURE,
+)
+
+
+def possible() -> bool:
+    """Whether drawing is possible here: no full attribute stack, no list being compiled, no
+    selection or feedback going on."""
+    value = ctypes.c_int()
+    at = ctypes.addressof(value)
+    got = []
+    for name in (*_STACKS, _RENDER_MODE, _LIST_INDEX):
+        gl.glGetIntegerv(name, at)
+        got.append(value.value)
+    return got[0] < got[1] and got[2] < got[3] and got[4] == _RENDER and got[5] == 0
+
+
+class Guard:
+    """``with Guard():`` saves on entry and restores on exit. Only where `possible` says so.
+
+    Costs a few microseconds: the attribute stacks hold nearly everything, and the rest is asked
+    for and set again. An error the app has not fetched yet is put back.
+    """
+
+    __slots__ = ("_discard", "_error", "_kept")
+
+    def __enter__(self) -> Guard:
+        self._error = gl.glGetError()
+        value = ctypes.c_int()
+        at = ctypes.addressof(value)
+        kept = []
+        for name in _KEPT:
+            gl.glGetIntegerv(name, at)
+            kept.append(value.value)
+        self._kept = kept
+        self._discard = gl.glIsEnabled(_RASTERIZER_DISCARD)
+        gl.glPushAttrib(_ALL)
+        gl.glPushClientAttrib(_ALL)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        program, array, draw, read, renderbuffer, texture = self._kept
+        gl.glUseProgram(program)
+        gl.glBindVertexArray(array)
+        gl.glBindFramebuffer(0x8CA9, draw)
+        gl.glBindFramebuffer(0x8CA8, read)
+        gl.glBindRenderbuffer(0x8D41, renderbuffer)
+        gl.glPopClientAttrib()
+        gl.glPopAttrib()
+        gl.glActiveTexture(texture)
+        if self._discard:
+            gl.glEnable(_RASTERIZER_DISCARD)
+        for _ in range(16):  # a lost context reports errors for ever
+            if gl.glGetError() == _NO_ERROR:
+                break
+        if self._error:
+            _provoke(self._error)
+
+
+def _provoke(error: int) -> None:
+    """Set the error flag to one of the three common errors again."""
+    if error == 0x0500:  # invalid enum
+        gl.glEnable(0)
+    elif error == 0x0501:  # invalid value
+        gl.glLineWidth(-1.0)
+    else:  # invalid operation; the rarer ones cannot be had on purpose
+        gl.glEnd()
