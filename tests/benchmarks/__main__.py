@@ -1,0 +1,118 @@
+"""`python -m tests.benchmarks`: plain PyOpenGL against the styles `none` and `raskar`, as a table.
+
+Each cell is a process of its own (`scenes.py`, an ordinary program); the modes take turns, round
+after round, so that what else the machine does meets them alike. Times are medians, ratios are
+medians over the rounds of mode to plain.
+"""
+
+import argparse
+import fnmatch
+import sys
+from pathlib import Path
+from statistics import median
+
+from tests.programs.screen import NoScreen, virtual_screen
+
+from .measure import MODES, BenchmarkError, Timing, remembered, round_of
+
+# The most that a mode may take, as a multiple of plain.
+TARGETS = {
+    "immediate": {"none": 1 / 3, "raskar": 1.0},
+    "1,000 glBegin": {"none": 1.0},
+    "display list": {"none": 1.05},
+    "buffer object": {"none": 1.05},
+}
+SCENES = (
+    "immediate, 7k vertices",
+    "immediate, 40k vertices",
+    "immediate, 7k, glVertex3fv of lists",
+    "immediate, 7k, another shape each frame",
+    "1,000 glBegin/glEnd of one quad",
+    "display list, 10k polygons",
+    "display list, 100k polygons",
+    "buffer object, 100k polygons",
+    "2,000 matrix calls, 500 glCallList",
+    "glCallLists of 500 lists",
+)
+REMEMBERED = ("immediate, 7k vertices", "display list, 10k polygons", "churn")
+
+
+def target(scene: str, mode: str) -> float | None:
+    for start, limits in TARGETS.items():
+        if scene.startswith(start):
+            return limits.get(mode)
+    return None
+
+
+def cell(timing: dict[str, list[Timing]], scene: str, mode: str) -> tuple[str, bool]:
+    """`milliseconds (ratio)`, bold where it misses its target, and whether it does."""
+    rounds = timing[mode]
+    milliseconds = 1000 * median(t.middle for t in rounds)
+    if mode == "plain":
+        return f"{milliseconds:.2f}", False
+    ratio = median(t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True))
+    limit = target(scene, mode)
+    missed = limit is not None and ratio > limit
+    text = f"{milliseconds:.2f} ({ratio:.2f}x)"
+    return (f"**{text}**" if missed else text), missed
+
+
+def print_times(choice: argparse.Namespace, display: str) -> int:
+    print("Milliseconds a frame; in brackets, the multiple of plain. Bold: over its target.")
+    print()
+    print("| scene | plain | none | raskar | raskar, first frame |")
+    print("|---|--:|--:|--:|--:|")
+    misses = 0
+    for scene in SCENES:
+        if not fnmatch.fnmatch(scene, f"*{choice.only}*"):
+            continue
+        timing: dict[str, list[Timing]] = {mode: [] for mode in MODES}
+        for _ in range(choice.rounds):
+            for mode, result in round_of(scene, choice.seconds, display).items():
+                timing[mode].append(result)
+        cells = []
+        for mode in MODES:
+            text, missed = cell(timing, scene, mode)
+            cells.append(text)
+            misses += missed
+        first = 1000 * median(t.first for t in timing["raskar"])
+        print(f"| {scene} | {' | '.join(cells)} | {first:.1f} |", flush=True)
+    return misses
+
+
+def print_memory(frames: int, display: str) -> None:
+    print(f"Megabytes in memory over {frames:,} frames: after a tenth, after half, at the end.")
+    print()
+    print("| scene | plain | none | raskar |")
+    print("|---|--:|--:|--:|")
+    for scene in REMEMBERED:
+        cells = []
+        for mode in MODES:
+            sizes = [size / 2**20 for size in remembered(scene, frames, mode, display)]
+            cells.append(" → ".join(f"{sizes[i]:.1f}" for i in (0, 4, 9)))
+        print(f"| {scene} | {' | '.join(cells)} |", flush=True)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
+    parser.add_argument("--rounds", type=int, default=5, help="how often each mode is run")
+    parser.add_argument("--seconds", type=float, default=0.6, help="frames' time in one run")
+    parser.add_argument("--only", default="*", metavar="PATTERN", help="scenes to run, a glob")
+    parser.add_argument("--memory", type=int, metavar="FRAMES", nargs="?", const=10_000,
+                        help="memory over so many frames instead of times")
+    parser.add_argument("--check", action="store_true", help="exit status 1 on a missed target")
+    choice = parser.parse_args()
+    try:
+        with virtual_screen() as display:
+            if choice.memory:
+                print_memory(choice.memory, display)
+                return 0
+            misses = print_times(choice, display)
+    except (NoScreen, BenchmarkError) as reason:
+        print(f"{Path(sys.executable).name} -m tests.benchmarks: {reason}", file=sys.stderr)
+        return 2
+    return 1 if misses and choice.check else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

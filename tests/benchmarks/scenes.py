@@ -1,0 +1,281 @@
+"""The scenes that are timed, as one ordinary PyOpenGL program: `python scenes.py NAME SECONDS`.
+
+A 400x300 window of glfw; the mesh covers about a tenth of it, so that what is measured is the cost
+of calls and vertices and not of filling pixels. A frame is timed from its clear to the return of
+the swap, glFinish included. The camera turns from frame to frame. Prints one line of JSON.
+"""
+
+import gc
+import json
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import glfw
+import numpy as np
+from numpy.typing import NDArray
+from OpenGL.arrays import vbo
+from OpenGL.GL import *  # noqa: F403
+from OpenGL.GLU import gluDeleteQuadric, gluNewQuadric, gluPerspective, gluSphere
+
+# ruff: noqa: F405
+
+Draw = Callable[[int], None]
+SIZE = (400, 300)
+WARM = 4  # frames before the timing begins; the first of them is reported apart
+MOVES = 16  # different shapes of the mesh that moves
+
+
+def sphere(quads: int, swell: float = 0.0) -> NDArray[np.float32]:
+    """Normals and points (quads, 4, 6) of a sphere of that many quads; the last row may be short."""
+    columns = round((2 * quads) ** 0.5)
+    rows = -(-quads // columns)
+    polar = np.linspace(0.02, np.pi - 0.02, rows + 1)[:, None]
+    turn = np.linspace(0.0, 2 * np.pi, columns + 1)
+    normals = np.stack([np.sin(polar) * np.cos(turn), np.cos(polar) + 0 * turn,
+                        np.sin(polar) * np.sin(turn)], axis=2)
+    points = normals * (1 + swell * np.sin(5 * polar + 3 * turn))[..., None]
+    grid = np.concatenate([normals, points], axis=2)
+    corners = [grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]]
+    return np.stack(corners, axis=2).reshape(-1, 4, 6)[:quads].astype(np.float32)
+
+
+def calls(mesh: NDArray[np.float32]) -> list[tuple[float, ...]]:
+    return [tuple(row) for row in mesh.reshape(-1, 6).tolist()]
+
+
+def immediate(vertices: int) -> Draw:
+    """One glBegin/glEnd of quads, glNormal3f and glVertex3f for each vertex."""
+    data = calls(sphere(vertices // 4))
+
+    def draw(_frame: int) -> None:
+        glBegin(GL_QUADS)
+        for nx, ny, nz, x, y, z in data:
+            glNormal3f(nx, ny, nz)
+            glVertex3f(x, y, z)
+        glEnd()
+
+    return draw
+
+
+def vectors(vertices: int) -> Draw:
+    """The same with glNormal3fv and glVertex3fv of lists."""
+    data = [(list(row[:3]), list(row[3:])) for row in calls(sphere(vertices // 4))]
+
+    def draw(_frame: int) -> None:
+        glBegin(GL_QUADS)
+        for normal, point in data:
+            glNormal3fv(normal)
+            glVertex3fv(point)
+        glEnd()
+
+    return draw
+
+
+def moving(vertices: int) -> Draw:
+    """The same with glNormal3f and glVertex3f, and another shape in each frame."""
+    shapes = [calls(sphere(vertices // 4, 0.1 * np.sin(2 * np.pi * i / MOVES)))
+              for i in range(MOVES)]
+
+    def draw(frame: int) -> None:
+        glBegin(GL_QUADS)
+        for nx, ny, nz, x, y, z in shapes[frame % MOVES]:
+            glNormal3f(nx, ny, nz)
+            glVertex3f(x, y, z)
+        glEnd()
+
+    return draw
+
+
+def pairs(count: int) -> Draw:
+    """A glBegin/glEnd around every single quad."""
+    quads = [[row[3:] for row in calls(quad)] for quad in sphere(count)]
+    normals = [tuple(quad[0, :3].tolist()) for quad in sphere(count)]
+
+    def draw(_frame: int) -> None:
+        for normal, quad in zip(normals, quads, strict=True):
+            glBegin(GL_QUADS)
+            glNormal3f(*normal)
+            for x, y, z in quad:
+                glVertex3f(x, y, z)
+            glEnd()
+
+    return draw
+
+
+def display_list(polygons: int) -> Draw:
+    name = glGenLists(1)
+    glNewList(name, GL_COMPILE)
+    immediate(4 * polygons)(0)
+    glEndList()
+    return lambda _frame: glCallList(name)
+
+
+def buffer(polygons: int) -> Draw:
+    """Interleaved normals and points in a buffer object, glDrawArrays of quads."""
+    mesh = np.ascontiguousarray(sphere(polygons).reshape(-1, 6))
+    store = vbo.VBO(mesh)
+
+    def draw(_frame: int) -> None:
+        with store:
+            glEnableClientState(GL_VERTEX_ARRAY)
+            glEnableClientState(GL_NORMAL_ARRAY)
+            glNormalPointer(GL_FLOAT, 24, store)
+            glVertexPointer(3, GL_FLOAT, 24, store + 12)
+            glDrawArrays(GL_QUADS, 0, len(mesh))
+            glDisableClientState(GL_NORMAL_ARRAY)
+            glDisableClientState(GL_VERTEX_ARRAY)
+
+    return draw
+
+
+def small_list() -> int:
+    """A list of a sphere of 32 quads, a fiftieth of the scene's size."""
+    name = int(glGenLists(1))
+    glNewList(name, GL_COMPILE)
+    glPushMatrix()
+    glScalef(0.02, 0.02, 0.02)
+    immediate(128)(0)
+    glPopMatrix()
+    glEndList()
+    return name
+
+
+def matrices(count: int) -> Draw:
+    """Push, translate, rotate and pop around every call of a small list."""
+    name = small_list()
+    places = sphere(count // 4)[:, 0, 3:].tolist()
+
+    def draw(_frame: int) -> None:
+        for x, y, z in places:
+            glPushMatrix()
+            glTranslatef(x, y, z)
+            glRotatef(90.0 * x, 0.0, 1.0, 0.0)
+            glCallList(name)
+            glPopMatrix()
+
+    return draw
+
+
+def call_lists(count: int) -> Draw:
+    """One glCallLists of many names, each a list that moves and draws a small list."""
+    small = small_list()
+    base = glGenLists(count)
+    for i, (x, y, z) in enumerate(sphere(count)[:, 0, 3:].tolist()):
+        glNewList(base + i, GL_COMPILE)
+        glPushMatrix()
+        glTranslatef(x, y, z)
+        glCallList(small)
+        glPopMatrix()
+        glEndList()
+    names = np.arange(base, base + count, dtype=np.uint32)
+    return lambda _frame: glCallLists(names)
+
+
+def churn(vertices: int) -> Draw:
+    """Everything that could be kept for ever: lists, buffers and quadrics made anew each frame."""
+
+    def draw(frame: int) -> None:
+        mesh = sphere(vertices // 4, 0.1 * np.sin(frame))
+        name = glGenLists(1)
+        glNewList(name, GL_COMPILE)
+        glBegin(GL_QUADS)
+        for nx, ny, nz, x, y, z in calls(mesh):
+            glNormal3f(nx, ny, nz)
+            glVertex3f(x, y, z)
+        glEnd()
+        glEndList()
+        glCallList(name)
+        glDeleteLists(name, 1)
+        store = vbo.VBO(np.ascontiguousarray(mesh.reshape(-1, 6)))
+        with store:
+            glEnableClientState(GL_VERTEX_ARRAY)
+            glVertexPointer(3, GL_FLOAT, 24, store + 12)
+            glDrawArrays(GL_QUADS, 0, 4 * len(mesh))
+            glDisableClientState(GL_VERTEX_ARRAY)
+        store.delete()
+        quadric = gluNewQuadric()
+        gluSphere(quadric, 0.5 + 1e-4 * frame, 12, 8)  # a size never seen before
+        gluDeleteQuadric(quadric)
+
+    return draw
+
+
+SCENES: dict[str, Callable[[], Draw]] = {
+    "immediate, 7k vertices": lambda: immediate(7_000),
+    "immediate, 40k vertices": lambda: immediate(40_000),
+    "immediate, 7k, glVertex3fv of lists": lambda: vectors(7_000),
+    "immediate, 7k, another shape each frame": lambda: moving(7_000),
+    "1,000 glBegin/glEnd of one quad": lambda: pairs(1_000),
+    "display list, 10k polygons": lambda: display_list(10_000),
+    "display list, 100k polygons": lambda: display_list(100_000),
+    "buffer object, 100k polygons": lambda: buffer(100_000),
+    "2,000 matrix calls, 500 glCallList": lambda: matrices(2_000),
+    "glCallLists of 500 lists": lambda: call_lists(500),
+    "churn": lambda: churn(400),
+}
+
+
+def open_window() -> object:
+    glfw.init()
+    window = glfw.create_window(*SIZE, "benchmark", None, None)
+    glfw.make_context_current(window)
+    glfw.swap_interval(0)
+    glEnable(GL_DEPTH_TEST)
+    glEnable(GL_LIGHTING)
+    glEnable(GL_LIGHT0)
+    glMatrixMode(GL_PROJECTION)
+    gluPerspective(40.0, SIZE[0] / SIZE[1], 1.0, 30.0)
+    glMatrixMode(GL_MODELVIEW)
+    return window
+
+
+def one_frame(window: object, draw: Draw, frame: int) -> float:
+    """Seconds that the frame took."""
+    begin = time.perf_counter()
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glLoadIdentity()
+    glTranslatef(0.0, 0.0, -8.0)
+    glRotatef(20.0 + 0.7 * frame, 1.0, 1.0, 0.0)
+    draw(frame)
+    glFinish()
+    glfw.swap_buffers(window)
+    return time.perf_counter() - begin
+
+
+def timed(name: str, seconds: float) -> dict[str, object]:
+    """The first frame and the frames after the warm-up, in seconds."""
+    window = open_window()
+    draw = SCENES[name]()
+    warm = [one_frame(window, draw, i) for i in range(WARM)]
+    gc.collect()
+    times: list[float] = []
+    while len(times) < 5 or (sum(times) < seconds and len(times) < 400):
+        times.append(one_frame(window, draw, WARM + len(times)))
+        glfw.poll_events()
+    return {"first": warm[0], "frames": times}
+
+
+def resident() -> int:
+    """Bytes of this process that lie in memory."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+
+def memory(name: str, frames: int) -> dict[str, object]:
+    """Bytes in memory after each tenth of the frames."""
+    window = open_window()
+    draw = SCENES[name]()
+    sizes = []
+    for frame in range(frames):
+        one_frame(window, draw, frame)
+        if (frame + 1) % (frames // 10) == 0:
+            gc.collect()
+            sizes.append(resident())
+    return {"bytes": sizes}
+
+
+if __name__ == "__main__":
+    what, scene, amount = sys.argv[1:]
+    result = timed(scene, float(amount)) if what == "time" else memory(scene, int(amount))
+    print(json.dumps(result))

@@ -1,0 +1,21 @@
+"""A short version of `python -m tests.benchmarks --memory`."""
+
+import pytest
+
+from tests.programs.screen import NoScreen, virtual_screen
+
+from .measure import remembered
+
+FRAMES = 400
+SLACK = 3 * 2**20  # bytes that may come and go; 200 frames that leak a mesh leave more
+
+
+@pytest.mark.parametrize("mode", ["none", "raskar"])
+@pytest.mark.parametrize("scene", ["immediate, 7k vertices", "churn"])
+def test_memory_stays_flat(scene: str, mode: str) -> None:
+    try:
+        with virtual_screen() as display:
+            sizes = remembered(scene, FRAMES, mode, display)
+    except NoScreen as reason:
+        pytest.skip(str(reason))
+    assert sizes[-1] - sizes[len(sizes) // 2] < SLACK, sizes
