@@ -28,7 +28,7 @@ MOVES = 16  # different shapes of the mesh that moves
 
 
 def sphere(quads: int, swell: float = 0.0) -> NDArray[np.float32]:
-    """Normals and points (quads, 4, 6) of a sphere of that many quads; the last row may be short."""
+    """Normals and points (quads, 4, 6) of a sphere of that many quads."""
     columns = round((2 * quads) ** 0.5)
     rows = -(-quads // columns)
     polar = np.linspace(0.02, np.pi - 0.02, rows + 1)[:, None]

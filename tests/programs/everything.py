@@ -3,22 +3,20 @@
 from .catalog import DEMO, Program, demo
 from .sources import unpacked
 
-# Libraries, set-up scripts and programs that want a toolkit or input of their own.
-LEFT_OUT = ("__init__.py", "setup.py", "shader", "Shader")
-DRAWS = ("glBegin", "glVertex", "glCallList", "glDrawArrays", "glDrawElements", "glutSolid",
-         "glMap", "gluSphere", "gluNurbsSurface", "gle")
+OPENS = ("glutCreateWindow", "import maintest", "NeHeGL", "OpenGL.Tk", "pygame.display.set_mode")
+DRAWS = ("glBegin", "glCallList", "glDrawArrays", "glDrawElements", "glutSolid", "glutWire",
+         "glMap", "gluSphere", "gluNurbs", "gle", "glRect")
+OWN_SHADERS = ("glUseProgram", "glUseProgramObjectARB", "shaders.compile")
 
 
 def every_demo() -> tuple[Program, ...]:
-    """Scripts that draw with the fixed-function GL and start a main loop."""
+    """Scripts that open a window and draw with the fixed-function GL."""
     root = unpacked(DEMO) / "OpenGL_Demo"
     found = []
     for script in sorted(root.rglob("*.py")):
-        if any(word in script.name for word in LEFT_OUT):
-            continue
         text = script.read_text(errors="replace")
-        if "__main__" in text or "MainLoop" in text or "mainloop" in text:
-            if "glUseProgram" in text or not any(word in text for word in DRAWS):
-                continue
+        if not any(word in text for word in OPENS) or any(word in text for word in OWN_SHADERS):
+            continue
+        if script.name != "__init__.py" and any(word in text for word in DRAWS):
             found.append(demo(str(script.relative_to(root))))
     return tuple(found)
