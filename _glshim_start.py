@@ -1,0 +1,24 @@
+"""The way in at interpreter start-up: `glshim.pth` (and `glshim.start`, PEP 829) call `start`.
+
+A module of its own at the top level, so that a start-up file can look at the environment without
+importing the package `glshim`.
+"""
+
+import os
+
+VARIABLES = ("GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE")
+
+
+def start() -> None:
+    """Arm glshim when one of its variables is set. Never raises: the program comes first."""
+    if not any(name in os.environ for name in VARIABLES):
+        return
+    try:
+        from glshim.capture import startup
+
+        startup.arm()
+    except Exception as error:
+        import sys
+
+        if sys.stderr is not None:
+            print(f"glshim: cannot start, the program runs plain: {error!r}", file=sys.stderr)

@@ -1,0 +1,86 @@
+"""Actions that run right after a module was imported, wherever and whenever that happens.
+
+A finder in front of ``sys.meta_path`` that finds nothing itself: for a watched name it lets the
+real finders answer and has the action run once the module's own code has run, before whoever
+imports it sees a single name of it.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from importlib.machinery import ModuleSpec
+from types import ModuleType
+
+from glshim.notices import say_fault
+
+Action = Callable[[ModuleType], None]
+
+_actions: dict[str, list[Action]] = {}
+
+
+def after_import(name: str, action: Action) -> None:
+    """Run ``action(module)`` when the module is imported, now if it already is."""
+    module = sys.modules.get(name)
+    if module is not None and not getattr(module.__spec__, "_initializing", False):
+        _run(action, module)
+        return
+    _actions.setdefault(name, []).append(action)
+    if _FINDER not in sys.meta_path:
+        sys.meta_path.insert(0, _FINDER)
+
+
+def _run(action: Action, module: ModuleType) -> None:
+    try:
+        action(module)
+    except Exception as error:  # an import of the app's must not fail for us
+        say_fault(f"not ready for {module.__name__}, which stays plain", error)
+
+
+class _Finder:
+    """Answers None for every module, and for a watched one prepares the real finder's answer."""
+
+    def find_spec(
+        self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        if name not in _actions:
+            return None
+        spec = _ask_the_others(name, path, target)
+        if spec is not None and spec.loader is not None:
+            _run_after(spec.loader, name)
+        return spec
+
+
+_FINDER = _Finder()
+
+
+def _ask_the_others(
+    name: str, path: Sequence[str] | None, target: ModuleType | None
+) -> ModuleSpec | None:
+    for finder in sys.meta_path:
+        find_spec = getattr(finder, "find_spec", None)
+        if finder is _FINDER or find_spec is None:
+            continue
+        spec: ModuleSpec | None = find_spec(name, path, target)
+        if spec is not None:
+            return spec
+    return None
+
+
+def _run_after(loader: object, name: str) -> None:
+    """Shadow the loader's ``exec_module`` for one run: spec and loader stay the app's own objects,
+    as `inspect`, `pkgutil` and `importlib.resources` expect them."""
+    execute: Action | None = getattr(loader, "exec_module", None)
+    if execute is None:
+        return
+
+    def exec_module(module: ModuleType) -> None:
+        del loader.exec_module  # type: ignore[attr-defined]
+        execute(module)
+        for action in _actions.pop(name, ()):
+            _run(action, module)
+
+    try:
+        loader.exec_module = exec_module  # type: ignore[attr-defined]
+    except AttributeError:  # a loader without a __dict__: the module is used as it is
+        _actions.pop(name, None)

@@ -1,0 +1,176 @@
+"""The toolkits whose frame ends are hooked: a row each in `TOOLKITS`.
+
+A hook must reach the app's calls however it imported them. Functions that ctypes made are changed
+in place (their class), so that names taken long before are hooked too; a
+module's own function is replaced right after the module's import, before anyone else sees it.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+from collections.abc import Callable
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+from glshim.capture import frames
+from glshim.capture.frames import Size, Surface
+from glshim.capture.raw import hook_function, original_call
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+# From GLUT's header, where they are the stable ABI of every implementation.
+_GLUT_WINDOW_WIDTH, _GLUT_WINDOW_HEIGHT, _GLUT_WINDOW_DOUBLEBUFFER = 102, 103, 115
+
+
+@dataclass(frozen=True, slots=True)
+class Toolkit:
+    """One present function of one toolkit."""
+
+    name: str
+    module: str
+    """The module after whose import the hook is put."""
+    hook: Callable[[ModuleType], None]
+    how: str
+    """What ends a frame, for people."""
+
+
+# --- GLUT ---------------------------------------------------------------------------------------
+
+def _glut() -> Any:
+    from OpenGL.platform import PLATFORM
+
+    return PLATFORM.GLUT
+
+
+def _glut_size() -> Size:
+    get = _glut().glutGet
+    return get(_GLUT_WINDOW_WIDTH), get(_GLUT_WINDOW_HEIGHT)
+
+
+# GLUT calls back from C: an exception would be printed there and the loop go on.
+_GLUT_WINDOW = Surface(_glut_size, may_raise=False)
+
+
+def _hook_glut_swap(module: ModuleType) -> None:
+    if not module.glutSwapBuffers:  # GLUT is not installed
+        return
+    function = _unlogged(module.glutSwapBuffers)
+    swap = original_call(function)
+    hook_function(function, functools.partial(frames.present, swap, on=_GLUT_WINDOW))
+
+
+def _unlogged(function: Any) -> Any:
+    """The ctypes object inside PyOpenGL's logging proxies, which keep it under no name."""
+    while not hasattr(type(function), "_flags_"):
+        function = getattr(function, "")
+    return function
+
+
+def _hook_glut_display(module: ModuleType) -> None:
+    """Single-buffered windows: the frame ends when the display callback returns, unless it ended
+    at a glFlush before."""
+    register = module.glutDisplayFunc
+    plain = register.wrappedOperation
+
+    def wrapped_operation(callback: Any, *arguments: Any) -> None:
+        if callable(callback):
+            # A second callback around the app's: what PyOpenGL prints of an exception in the
+            # app's own stays as it is. It lives exactly as long as the app's.
+            callback.glshim_outer = type(callback)(functools.partial(_display, callback))
+            plain(callback.glshim_outer, *arguments)
+        else:
+            plain(callback, *arguments)
+
+    register.wrappedOperation = wrapped_operation
+
+
+def _display(callback: Callable[[], None]) -> None:
+    before = frames.presented()
+    with frames.drawing(_GLUT_WINDOW):
+        callback()
+        if frames.presented() == before and not _glut().glutGet(_GLUT_WINDOW_DOUBLEBUFFER):
+            frames.present(_shown_already)
+
+
+def _shown_already() -> None:
+    """A single-buffered window shows what is drawn as it is drawn."""
+
+
+# --- glfw ---------------------------------------------------------------------------------------
+
+
+def _hook_glfw(module: ModuleType) -> None:
+    library = module._glfw
+    plain = library.glfwSwapBuffers
+
+    def size_of(window: Any) -> Size:
+        width, height = ctypes.c_int(), ctypes.c_int()
+        library.glfwGetFramebufferSize(window, ctypes.byref(width), ctypes.byref(height))
+        return width.value, height.value
+
+    @functools.wraps(plain, assigned=("__name__", "__doc__"), updated=())
+    def swap_buffers(window: Any) -> Any:
+        with _current_in_glfw(library, window):
+            return frames.present(plain, window, on=Surface(functools.partial(size_of, window)))
+
+    library.glfwSwapBuffers = swap_buffers
+
+
+@contextmanager
+def _current_in_glfw(library: Any, window: Any) -> Iterator[None]:
+    """glfw swaps any window; a frame ends in the context of the window that is swapped."""
+    current = library.glfwGetCurrentContext()
+    if not current or not window or _address(current) == _address(window):
+        yield
+        return
+    library.glfwMakeContextCurrent(window)
+    try:
+        yield
+    finally:
+        library.glfwMakeContextCurrent(current)
+
+
+def _address(pointer: Any) -> int | None:
+    return ctypes.cast(pointer, ctypes.c_void_p).value
+
+
+# --- pygame -------------------------------------------------------------------------------------
+
+
+def _hook_pygame(module: ModuleType) -> None:
+    for name in ("flip", "update"):
+        setattr(module, name, _pygame_present(module, getattr(module, name)))
+
+
+def _pygame_present(module: ModuleType, plain: Callable[..., None]) -> Callable[..., None]:
+    surface = Surface(module.get_window_size)
+
+    @functools.wraps(plain)
+    def flip(*arguments: Any, **named: Any) -> None:
+        shown = module.get_surface()
+        if shown is None or not shown.get_flags() & _PYGAME_OPENGL:
+            plain(*arguments, **named)
+        else:
+            frames.present(plain, *arguments, on=surface, named=named)
+
+    return flip
+
+
+_PYGAME_OPENGL = 0x2
+
+
+TOOLKITS = (
+    Toolkit("GLUT", "OpenGL.raw.GLUT", _hook_glut_swap, "glutSwapBuffers"),
+    Toolkit(
+        "GLUT, single-buffered",
+        "OpenGL.GLUT.special",
+        _hook_glut_display,
+        "return of the display callback",
+    ),
+    Toolkit("glfw", "glfw", _hook_glfw, "glfw.swap_buffers"),
+    Toolkit("pygame", "pygame.display", _hook_pygame, "pygame.display.flip"),
+)

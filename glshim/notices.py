@@ -1,0 +1,28 @@
+"""What glshim says to the person on standard error: whole lines, marked, never an exception."""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from contextlib import suppress
+
+_said: set[str] = set()
+
+
+def say(line: str) -> None:
+    """One line on standard error (nowhere when the program has none)."""
+    if sys.stderr is not None:
+        with suppress(OSError, ValueError):  # closed, or a pipe nobody reads any more
+            print(f"glshim: {line}", file=sys.stderr, flush=True)
+
+
+def say_once(line: str) -> None:
+    """`say`, unless this very line was said before."""
+    if line not in _said:
+        _said.add(line)
+        say(line)
+
+
+def say_fault(what: str, error: BaseException) -> None:
+    """A fault of ours with its traceback; `what` says what happens now."""
+    say_once(what + "\n" + "".join(traceback.format_exception(error)).rstrip())

@@ -1,0 +1,169 @@
+"""Style texts, style files and the GLSHIM_* environment, each to one checked value."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from glshim.errors import StyleError, UnknownNameError
+from glshim.styling import registry
+from glshim.styling.protocol import Option, Styler, options_of
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
+NAME_KEY = "style"
+"""The key of a style file that names the style."""
+
+
+def parse_style(text: str) -> Styler:
+    """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys.
+
+    Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
+    """
+    text = text.strip()
+    if text.endswith(".toml"):
+        return load_style(Path(text))
+    name, _, assignments = text.partition(":")
+    styler = _load(name.strip())
+    values = dict(_parsed(styler, piece) for piece in assignments.split(",") if piece.strip())
+    return styler(**values)
+
+
+def load_style(path: Path) -> Styler:
+    """A style file: ``style = "raskar"`` and a line for every option that is not its default.
+
+    Raises `StyleError` naming the file, and the line where there is one.
+    """
+    try:
+        content = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise StyleError(f"cannot read style file {path}: {reason}") from error
+    try:
+        table = tomllib.loads(content)
+    except tomllib.TOMLDecodeError as error:
+        raise StyleError(f"{path}: {error}") from error
+    name = table.pop(NAME_KEY, None)
+    if not isinstance(name, str):
+        raise StyleError(f'{path}: a style file names its style: {NAME_KEY} = "raskar"')
+    key = NAME_KEY
+    try:
+        styler = _load(name)
+        values = {}
+        for key, value in table.items():
+            option = _option(styler, key)
+            # A file may write a switch as the command line does.
+            words = isinstance(value, str) and option.kind == "switch"
+            values[key] = option.parse(value) if words else option.check(value)
+        key = ""
+        return styler(**values)
+    except StyleError as error:
+        raise StyleError(f"{path}{_line_of(key, content)}: {error}") from error
+
+
+def _line_of(key: str, content: str) -> str:
+    for number, line in enumerate(content.splitlines(), start=1):
+        if key and re.match(rf"""\s*(["']?){re.escape(key)}\1\s*=""", line):
+            return f":{number}"
+    return ""
+
+
+def _load(name: str) -> type[Styler]:
+    try:
+        return registry.load(name)
+    except UnknownNameError as error:
+        if Path(name).is_file():
+            raise StyleError(f"{error}; a style file's name ends in .toml") from error
+        raise
+
+
+def _parsed(styler: type[Styler], piece: str) -> tuple[str, Any]:
+    key, equals, value = (part.strip() for part in piece.partition("="))
+    option = _option(styler, key)
+    if not equals:
+        raise StyleError(f"{key} has no value: write {key}={option.show(option.default)}")
+    return key, option.parse(value)
+
+
+def _option(styler: type[Styler], key: str) -> Option:
+    options = {option.name: option for option in options_of(styler)}
+    if key not in options:
+        raise _unknown(f"style {styler.name!r} has no option {key!r}", key, options)
+    return options[key]
+
+
+def _unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
+    known = tuple(known)
+    near = tuple(difflib.get_close_matches(name, known, n=3, cutoff=0.5))
+    if near:
+        hint = f"did you mean {' or '.join(near)}?"
+    else:
+        hint = f"there are {', '.join(known)}" if known else "it has none"
+    return UnknownNameError(f"{what}: {hint}", near)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the environment asks for; None where it asks for nothing."""
+
+    style: str | None = None
+    frames: int | None = None
+    """End the program after so many presented frames."""
+    capture: str | None = None
+    """Where to write each frame: an absolute path with one ``%d`` for its number, or none."""
+
+
+def parse_frames(text: str) -> int:
+    """A whole number of frames, at least 1. Raises `StyleError`."""
+    if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
+        raise StyleError(f"{text!r} is no number of frames: give a whole number from 1")
+    return int(text)
+
+
+def parse_capture(text: str) -> str:
+    """A file name, absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
+    try:
+        numbered = text % 1 if "%" in text else text
+    except (TypeError, ValueError):
+        numbered = ""
+    if not numbered or not numbered.lower().endswith(".png"):
+        raise StyleError(
+            f"{text!r} is no file name for frames: it ends in .png "
+            "and holds one %d or %03d, or none, for the frame's number"
+        )
+    return os.path.abspath(text)
+
+
+def read_environment(environ: Mapping[str, str]) -> tuple[Settings, tuple[str, ...]]:
+    """The settings, and a line for each variable that cannot be used (and then counts as unset).
+
+    The style's text is not read here: that needs the stylers.
+    """
+    complaints: list[str] = []
+
+    def read(variable: str, parse: Any, consequence: str) -> Any:
+        text = environ.get(variable, "")
+        if not text.strip():
+            return None
+        try:
+            return parse(text)
+        except StyleError as error:
+            complaints.append(f"{variable}: {error}; {consequence}")
+            return None
+
+    settings = Settings(
+        style=environ.get(STYLE, "").strip() or None,
+        frames=read(FRAMES, parse_frames, "the program runs on without an end"),
+        capture=read(CAPTURE, parse_capture, "no frames are written"),
+    )
+    return settings, tuple(complaints)
