@@ -29,6 +29,10 @@ def compare(program: Program, style: str, display: str, out: Path) -> list[str]:
         return "yes" if other_is_same else f"NO ({changed} px)"
 
     notes = none.fault() or styled.fault() or str(saved)
+    if not (none.shimmed and styled.shimmed):
+        notes = "glshim was not at work"
+    elif styled.log.count("Traceback") > plain.log.count("Traceback"):
+        notes += "; says " + styled.log.strip().splitlines()[-1]
     return [
         program.name,
         verdict(plain.same_as(again), plain.changed_pixels(again)),

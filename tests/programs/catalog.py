@@ -9,11 +9,12 @@ DEMO = "PyOpenGL-Demo"
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """One program, run unmodified."""
+    """One program, run unmodified. `source` is a key of `sources`, "pygame" or "ours"."""
 
     name: str
-    source: str  # a distribution of `sources`, "pygame" or "ours"
+    source: str
     script: str = ""  # a path inside the source's folder, or `-m module`
+    arguments: tuple[str, ...] = ()
     frames: int = 3
     inked: bool = True  # whether the raskar style is to leave lines on it
 
@@ -48,6 +49,8 @@ OTHERS = (
     Program("Planet3D", "Planet3D", str(HERE / "apps" / "solar_system.py")),
     Program("phalcopulse", "phalcopulse", str(HERE / "apps" / "bouncing_ball.py")),
     Program("pygame/glcube", "pygame", "-m pygame.examples.glcube"),
+    Program("dxf2gcode", "dxf2gcode", "usr/bin/dxf2gcode", (str(HERE / "apps" / "plate.dxf"),),
+            frames=1, inked=False),  # it draws lines only
 )
 
 OURS = tuple(

@@ -1,6 +1,7 @@
 """Runs a program under one of the modes and compares what it presented."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from .catalog import HERE, Program
-from .sources import launch
+from .sources import Launch, cache_folder, launch
 
 PLAIN = None  # no style: glshim is not there at all
 Picture = NDArray[np.uint8]
@@ -26,6 +27,7 @@ class Run:
     pictures: tuple[Picture, ...]
     log: str
     status: int
+    shimmed: bool = False  # whether glshim was at work in the program's process
 
     def same_as(self, other: "Run") -> bool:
         return len(self.pictures) == len(other.pictures) > 0 and all(
@@ -55,13 +57,19 @@ class Run:
         return lines[-1] if lines else f"status {self.status}, nothing presented"
 
 
-def environment(style: str | None, display: str, paths: list[Path]) -> dict[str, str]:
+def environment(style: str | None, display: str, start: Launch) -> dict[str, str]:
+    home = cache_folder() / f"home{display}"  # empty, and the same in every run
+    shutil.rmtree(home, ignore_errors=True)
+    home.mkdir(parents=True)
     kept = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
     kept |= {
         "DISPLAY": display,
         "PYTHONHASHSEED": "0",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONPATH": os.pathsep.join(map(str, paths)),
+        "PYTHONPATH": os.pathsep.join(map(str, start.paths)),
+        "LD_LIBRARY_PATH": os.pathsep.join(map(str, start.libraries)),
+        "HOME": str(home),
+        "QT_QPA_PLATFORM": "xcb",
         "SDL_AUDIODRIVER": "dummy",
         "SDL_VIDEODRIVER": "x11",
         "SDL_MOUSE_RELATIVE": "0",
@@ -74,7 +82,7 @@ def environment(style: str | None, display: str, paths: list[Path]) -> dict[str,
 
 def run(program: Program, style: str | None, display: str, limit: float = 60.0) -> Run:
     """Run the program until it has presented its frames; `style` None leaves glshim out."""
-    command, folder, paths = launch(program)
+    start = launch(program)
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "frames.npz"
         log = Path(scratch) / "log"
@@ -82,14 +90,17 @@ def run(program: Program, style: str | None, display: str, limit: float = 60.0) 
             try:
                 runner = [sys.executable, str(HERE / "frozen.py"), str(out), str(program.frames)]
                 status = subprocess.run(
-                    [*runner, *command], cwd=folder, env=environment(style, display, paths),
+                    [*runner, *start.command], cwd=start.folder,
+                    env=environment(style, display, start),
                     stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT,
                     timeout=limit, check=False).returncode
             except subprocess.TimeoutExpired:
                 status = 124
                 stream.write(f"\nended after {limit:.0f} s\n")
         pictures: tuple[Any, ...] = ()
+        shimmed = False
         if out.exists():
             with np.load(out) as saved:
-                pictures = tuple(saved[name] for name in saved.files)
-        return Run(pictures, log.read_text(errors="replace"), status)
+                pictures = tuple(saved[name] for name in saved.files if name != "shimmed")
+                shimmed = bool(saved["shimmed"])
+        return Run(pictures, log.read_text(errors="replace"), status, shimmed)

@@ -1,11 +1,13 @@
 """Fetches other people's programs from the package registry, once, into a cache elsewhere."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tarfile
 import tempfile
 import zipfile
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -17,8 +19,14 @@ DISTRIBUTIONS = {
     "phalcopulse": ("phalcopulse==0.1.5",),
     "six": ("six",),  # PyOpenGL-Demo imports it
     "imageio": ("imageio",),  # phalcopulse imports it
+    "PyQt5": ("PyQt5==5.15.11", "PyQt5-sip", "PyQt5-Qt5", "configobj"),  # for dxf2gcode
 }
-NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",)}
+DEBIAN = {  # packages of Debian, unpacked, not installed; the libraries are for Qt's wheel
+    "dxf2gcode": ("dxf2gcode", "libxcb-icccm4", "libxcb-keysyms1", "libxcb-xinerama0"),
+}
+NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",), "dxf2gcode": ("PyQt5",)}
+PLACES = {"dxf2gcode": "usr/lib/python3/dist-packages"}  # where a source's modules lie
+LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu"}
 
 
 class SourceMissing(Exception):
@@ -38,33 +46,64 @@ def unpacked(name: str) -> Path:
         return folder
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
-        command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps",
-                   "--dest", scratch, *DISTRIBUTIONS[name]]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode:
-            reason = (done.stderr.strip().splitlines() or ["pip said nothing"])[-1]
-            raise SourceMissing(f"{name} could not be fetched: {reason}")
-        (archive,) = Path(scratch).iterdir()
+        download(name, Path(scratch))
         content = Path(scratch) / "content"
-        if archive.suffix == ".whl":
-            with zipfile.ZipFile(archive) as wheel:
-                wheel.extractall(content)
-        else:
-            with tarfile.open(archive) as tar:
-                tar.extractall(content, filter="data")
-            (content,) = content.iterdir()  # a source distribution holds one folder
-        content.rename(folder)
+        for archive in [path for path in Path(scratch).iterdir() if path.is_file()]:
+            unpack(archive, content)
+        inside = list(content.iterdir())
+        source_distribution = name in DISTRIBUTIONS and len(inside) == 1
+        (inside[0] if source_distribution else content).rename(folder)
     return folder
 
 
-def launch(program: Program) -> tuple[list[str], Path, list[Path]]:
-    """The program's command, its working folder and the folders it must find on its path."""
-    paths: list[Path] = []
+def download(name: str, folder: Path) -> None:
+    if name in DEBIAN:
+        if not (shutil.which("apt-get") and shutil.which("dpkg")):
+            raise SourceMissing(f"{name} is a package of Debian, and this is none")
+        command = ["apt-get", "download", "-q", *DEBIAN[name]]
+    else:
+        command = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps",
+                   *DISTRIBUTIONS[name]]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if done.returncode:
+        reason = (done.stderr.strip().splitlines() or [f"{command[0]} said nothing"])[-1]
+        raise SourceMissing(f"{name} could not be fetched: {reason}")
+
+
+def unpack(archive: Path, folder: Path) -> None:
+    if archive.suffix == ".deb":
+        subprocess.run(["dpkg", "-x", archive, folder], check=True)
+    elif archive.suffix == ".whl":
+        with zipfile.ZipFile(archive) as wheel:
+            wheel.extractall(folder)
+    else:
+        with tarfile.open(archive) as tar:
+            tar.extractall(folder, filter="data")
+
+
+@dataclass(frozen=True, slots=True)
+class Launch:
+    """How a program is started."""
+
+    command: tuple[str, ...]
+    folder: Path  # the working folder
+    paths: tuple[Path, ...] = ()  # folders of Python modules
+    libraries: tuple[Path, ...] = ()  # folders of shared libraries
+
+
+def launch(program: Program) -> Launch:
+    """Fetch the program where need be and say how it is started."""
     folder = HERE.parent.parent
-    if program.source in DISTRIBUTIONS:
+    paths: list[Path] = []
+    libraries: list[Path] = []
+    if program.source in DISTRIBUTIONS or program.source in DEBIAN:
         folder = unpacked(program.source)
-        paths = [folder, *map(unpacked, NEEDS.get(program.source, ()))]
-    if program.script.startswith("-m "):
-        return program.script.split(), folder, paths
-    script = folder / program.script  # an absolute script stays itself
-    return [str(script)], script.parent, paths
+        paths = [folder / PLACES.get(program.source, ""),
+                 *map(unpacked, NEEDS.get(program.source, ()))]
+        if program.source in LIBRARIES:
+            libraries = [folder / LIBRARIES[program.source]]
+    command, where = tuple(program.script.split()), folder
+    if command[0] != "-m":
+        script = folder / program.script  # an absolute script stays itself
+        command, where = (str(script),), script.parent
+    return Launch((*command, *program.arguments), where, tuple(paths), tuple(libraries))

@@ -35,6 +35,7 @@ def program(request: pytest.FixtureRequest) -> Program:
 def plain(program: Program, display: str) -> Run:
     result = run(program, PLAIN, display)
     assert not result.fault(), result.log
+    assert not result.shimmed
     return result
 
 
@@ -48,13 +49,16 @@ def test_two_plain_runs_are_the_same(program: Program, plain: Run, display: str)
 def test_none_gives_the_plain_frames(program: Program, plain: Run, display: str) -> None:
     none = run(program, "none", display)
     assert not none.fault(), none.log
+    assert none.shimmed, none.log
+    assert none.log.count("Traceback") == plain.log.count("Traceback"), none.log
     assert none.same_as(plain), f"{none.changed_pixels(plain)} pixels differ\n{none.log}"
 
 
 def test_raskar_leaves_lines(program: Program, plain: Run, display: str) -> None:
     styled = run(program, VISIBLE, display)
     assert not styled.fault(), styled.log
-    assert "Traceback" not in styled.log, styled.log
+    assert styled.shimmed, styled.log
+    assert styled.log.count("Traceback") == plain.log.count("Traceback"), styled.log
     changed = styled.changed_pixels(plain)
     if program.inked:
         assert changed > 50
