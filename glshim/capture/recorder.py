@@ -34,6 +34,9 @@ class PrimitiveSink(Protocol):
     def end(self, mode: int, stream: bytes) -> None:
         """After the driver has drawn it (or a list has taken it)."""
 
+    def stray_end(self) -> None:
+        """A list being compiled has a glEnd without its glBegin."""
+
 
 class Recorder:
     """The recording hooks and the state they share. One instance: :data:`RECORDER`."""
@@ -48,6 +51,10 @@ class Recorder:
         """Add records of vertices that reached the driver another way (glArrayElement)."""
         self.inside: Callable[[], bool] = lambda: False
         """Whether a recorded glBegin is open."""
+        self.position: Callable[[], int] = lambda: 0
+        """Bytes recorded so far of the open primitive."""
+        self.abandon: Callable[[], bytes | None] = lambda: None
+        """The list that held glBegin ends without glEnd: send what is recorded and stop."""
 
     def install(self) -> None:
         """Hook glBegin, glEnd and every recorded attribute."""
@@ -91,7 +98,16 @@ class Recorder:
             if shadow:
                 write(records)
 
-        self.spill, self.extend = spill, extend
+        def abandon() -> bytes | None:
+            nonlocal shadow
+            if not deferred and not shadow:
+                return None
+            spill()
+            shadow = False
+            return stream.getvalue()
+
+        self.spill, self.extend, self.abandon = spill, extend, abandon
+        self.position = lambda: stream.tell()
         self.inside = lambda: deferred or shadow
 
         def make_begin(real: Call) -> Call:
@@ -114,6 +130,8 @@ class Recorder:
             def end(*args: Any) -> Any:
                 nonlocal deferred, shadow
                 if not deferred and not shadow:
+                    if self.list_open and self.sink is not None:
+                        self.sink.stray_end()
                     return real(*args)
                 records = stream.getvalue()
                 held, deferred, shadow = deferred, False, False

@@ -46,6 +46,8 @@ class DrawState:
     """Draw framebuffer name, 0 for the window."""
     depth_tested: bool
     """The depth test is on and means 'nearer wins'."""
+    depth_written: bool
+    """Polygons drawn now enter the depth buffer."""
     flat: bool
     """Parallel projection."""
     obstacle: str
@@ -118,7 +120,8 @@ class StateReader:
         return DrawState(
             camera=camera,
             framebuffer=values["framebuffer"][0],
-            depth_tested=depth and bool(values["depth_mask"][0]),
+            depth_tested=depth,
+            depth_written=bool(values["depth_mask"][0]),
             flat=camera.orthographic,
             obstacle=obstacle,
             fill_faces=fill,

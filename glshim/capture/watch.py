@@ -39,8 +39,8 @@ class Watcher(PrimitiveSink, Protocol):
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
         """After an IN_PRIMITIVE or list call inside a primitive; ``call`` would say it again."""
 
-    def shape(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
-        """After a C library drew something; ``call`` would draw it again."""
+    def unfinished(self, stream: bytes) -> None:
+        """A list ends inside the primitive that it began."""
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish, which ``call`` makes."""
@@ -109,6 +109,8 @@ class Watch:
             spill, inside = RECORDER.spill, RECORDER.inside
 
             def hook(*args: Any) -> Any:
+                if closes:
+                    RECORDER.abandon()
                 if inside():
                     spill()
                     result = real(*args)
@@ -155,9 +157,15 @@ class Watch:
     def _bracket(self, name: str, role: Role) -> Maker:
         def maker(real: Call) -> Call:
             def hook(*args: Any) -> Any:
-                RECORDER.spill()
                 watcher = self._watcher
                 opening = role is Role.LIST_OPEN
+                unfinished = None
+                if opening:
+                    RECORDER.spill()
+                else:
+                    unfinished = RECORDER.abandon()
+                if watcher is not None and unfinished is not None:
+                    watcher.unfinished(unfinished)
                 if watcher is not None and not opening:
                     watcher.before(role, name, args)
                 result = real(*args)

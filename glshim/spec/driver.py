@@ -26,7 +26,7 @@ SIGNATURES: dict[str, str] = {
     "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
     "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
     "glGetTexLevelParameteriv": "uiup", "glGetFramebufferAttachmentParameteriv": "uuup",
-    "glGetVertexAttribiv": "uup",
+    "glGetVertexAttribiv": "uup", "glGetMapiv": "uup", "glGetMapfv": "uup",
     # immediate mode
     "glBegin": "u", "glEnd": "",
     "glVertex2fv": "p", "glVertex3fv": "p", "glVertex4fv": "p", "glNormal3fv": "p",
@@ -51,7 +51,7 @@ SIGNATURES: dict[str, str] = {
     # small programs of our own in the app's compatibility context
     "glCreateProgram": ">u", "glCreateShader": "u>u", "glShaderSource": "uipp",
     "glCompileShader": "u", "glAttachShader": "uu", "glLinkProgram": "u",
-    "glGetUniformLocation": "up>i", "glUniform4f": "iffff", "glDeleteShader": "u",
+    "glGetUniformLocation": "up>i", "glIsVertexArray": "u>b", "glUniform4f": "iffff", "glDeleteShader": "u",
     "glGetProgramiv": "uup",
 }  # fmt: skip
 

@@ -1,0 +1,87 @@
+"""The base polygons in another surface than the app's: depth only, or one flat colour.
+
+The app's own draw is made with colour writes off, or with a program whose vertices are exactly the
+fixed function's (``ftransform``), so its depth stays bit for bit the app's.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from importlib.resources import files
+
+from ..errors import RenderError
+from ..spec.driver import current_context, gl
+from ..styling.protocol import Colour
+
+_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
+_BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0
+
+
+class Surface:
+    """Covers the app's draws with a styler's surface."""
+
+    def __init__(self, surface: str | Colour) -> None:
+        self._surface = surface
+        self._programs: dict[int, tuple[int, int]] = {}
+        self._blend = self._alpha = False
+        self._mask = (ctypes.c_int * 4)()
+        self._covered = False
+
+    @property
+    def changes(self) -> bool:
+        """Whether anything is covered at all."""
+        return self._surface != "app"
+
+    def cover(self) -> None:
+        """Before the app's draw, outside primitives; no program of the app's is in use."""
+        if self._surface == "app" or self._covered:
+            return
+        self._covered = True
+        if isinstance(self._surface, str):
+            gl.glGetIntegerv(0x0C23, self._mask)
+            gl.glColorMask(0, 0, 0, 0)
+            return
+        program, location = self._program()
+        self._blend, self._alpha = bool(gl.glIsEnabled(_BLEND)), bool(gl.glIsEnabled(_ALPHA_TEST))
+        gl.glDisable(_BLEND)
+        gl.glDisable(_ALPHA_TEST)
+        gl.glUseProgram(program)
+        gl.glUniform4f(location, *self._surface, 1.0)
+
+    def uncover(self) -> None:
+        """After it."""
+        if not self._covered:
+            return
+        self._covered = False
+        if isinstance(self._surface, str):
+            gl.glColorMask(*(int(bool(m)) for m in self._mask))
+            return
+        gl.glUseProgram(0)
+        if self._blend:
+            gl.glEnable(_BLEND)
+        if self._alpha:
+            gl.glEnable(_ALPHA_TEST)
+
+    def _program(self) -> tuple[int, int]:
+        context = current_context()
+        if context not in self._programs:
+            self._programs[context] = _compile()
+        return self._programs[context]
+
+
+def _compile() -> tuple[int, int]:
+    program = gl.glCreateProgram()
+    for kind, name in ((_VERTEX, "surface.vert.glsl"), (_FRAGMENT, "surface.frag.glsl")):
+        text = (files(__package__) / "shaders" / name).read_bytes()
+        shader = gl.glCreateShader(kind)
+        pointer, length = ctypes.c_char_p(text), ctypes.c_int(len(text))
+        gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
+        gl.glCompileShader(shader)
+        gl.glAttachShader(program, shader)
+        gl.glDeleteShader(shader)
+    gl.glLinkProgram(program)
+    linked = ctypes.c_int()
+    gl.glGetProgramiv(program, 0x8B82, ctypes.byref(linked))
+    if not linked.value:
+        raise RenderError("the surface program does not link in this context")
+    return program, gl.glGetUniformLocation(program, b"colour")

@@ -1,0 +1,42 @@
+"""Functions of GLU, GLUT and GLE that draw in C, as data."""
+
+from __future__ import annotations
+
+import re
+from enum import Enum
+
+
+class ShapeRole(Enum):
+    """What a C library's function means to us."""
+
+    SOLID = "draws polygons that its arguments alone decide"
+    QUADRIC = "draws polygons that its arguments and the quadric's settings decide"
+    QUADRIC_SETTING = "changes a setting of a quadric"
+    EXTRUSION = "draws polygons from arrays and GLE's settings"
+    NURBS_OPEN = "opens a NURBS surface"
+    NURBS_PART = "adds to it"
+    NURBS_CLOSE = "closes it: now it is drawn"
+    DRAWING = "draws lines, points or text"
+
+
+ROWS: tuple[tuple[str, ShapeRole, str], ...] = (
+    ("OpenGL.raw.GLUT", ShapeRole.SOLID, r"glutSolid\w+"),
+    ("OpenGL.raw.GLUT", ShapeRole.DRAWING, r"glut(Wire|Bitmap(Char|Str)|Stroke(Char|Str))\w+"),
+    ("OpenGL.raw.GLU", ShapeRole.QUADRIC, r"glu(Sphere|Cylinder|Disk|PartialDisk)"),
+    ("OpenGL.raw.GLU", ShapeRole.QUADRIC_SETTING, r"gluQuadric(DrawStyle|Orientation)"),
+    ("OpenGL.raw.GLU", ShapeRole.NURBS_OPEN, r"gluBeginSurface"),
+    ("OpenGL.raw.GLU", ShapeRole.NURBS_PART,
+     r"gluNurbsSurface|glu(Begin|End)Trim|gluPwlCurve|gluNurbsCurve"),
+    ("OpenGL.raw.GLU", ShapeRole.NURBS_CLOSE, r"gluEndSurface"),
+    ("OpenGL.raw.GLE", ShapeRole.EXTRUSION,
+     r"gle(Extrusion|Helicoid|Lathe|PolyCone|PolyCylinder|Screw|Spiral|SuperExtrusion|Toroid"
+     r"|TwistExtrusion)"),
+)  # fmt: skip
+
+
+def shape_role(module: str, name: str) -> ShapeRole | None:
+    """The role of a C library's function, None when it draws nothing."""
+    for home, role, pattern in ROWS:
+        if home == module and re.fullmatch(pattern, name):
+            return role
+    return None
