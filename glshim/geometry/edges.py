@@ -1,9 +1,10 @@
-"""From polygons to edge records: what the GPU, and the numpy reference of it, start from."""
+"""From polygons to edges: the true sides of sound polygons, and which of them lie together."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,24 +12,95 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 
 Floats = NDArray[np.float32]
+Doubles = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Flags = NDArray[np.bool_]
 
-RECORD = 13
-"""Floats of one record: a, b, c (3 each), plane (4)."""
 _SLIVER = 1e-6
 """Area over squared extent below which float32 corners say nothing about a normal."""
+_CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23))
+"""Cells per axis in which corners count as one when neighbours are looked for, and the shift of
+the cells, for each round of looking."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Edges:
-    """The true edges of the sound polygons of a batch, one record a side. Object space."""
+    """The true sides of the sound polygons of a batch. Object space.
 
-    records: Floats
-    """(E, 13) float32: the side from ``a`` (0:3) to ``b`` (3:6); the polygon's next corner
-    ``c`` (6:9), where the line turns; and the polygon's plane (9:13), the unit normal of the
-    winding (Newell) and minus its product with the centroid."""
+    A side has its own polygon only; `pairs`, `crowds` and `singles` tell which sides lie on the
+    same edge. Lines are drawn from each side alone; neighbours serve to leave out at once what
+    they would hide in the end, whatever their winding.
+    """
+
+    sides: Floats
+    """(E, 9): from ``a`` to ``b``, and the polygon's next corner ``c``, where the line turns."""
+    polygon: NDArray[np.int32]
+    """(E,) row in planes of the side's polygon."""
+    planes: Doubles
+    """(P, 4): the unit normal of the winding (Newell), minus its product with the centroid."""
+    order: Indices
+    """(E,) sides sorted so that those of one edge are neighbours."""
+    first: Indices
+    """(G,) where each edge begins in order."""
+    forward: Flags
+    """(E,) direction of the side along its edge: two sides of consistent windings differ."""
 
     def __len__(self) -> int:
-        return len(self.records)
+        return len(self.sides)
+
+    @cached_property
+    def counts(self) -> Indices:
+        """(G,) number of sides on each edge."""
+        return np.asarray(np.diff(self.first, append=len(self.order)), np.intp)
+
+    @cached_property
+    def singles(self) -> Indices:
+        """(S,) sides that lie alone on their edge."""
+        return self.order[self.first[self.counts == 1]]
+
+    @cached_property
+    def pairs(self) -> tuple[Indices, Indices]:
+        """(N,), (N,) the two sides of each edge that has two."""
+        at = self.first[self.counts == 2]
+        return self.order[at], self.order[at + 1]
+
+    @cached_property
+    def crowds(self) -> tuple[Indices, Indices]:
+        """Sides on edges with three and more: (C,) the sides, (C,) the edge of each, from 0."""
+        counts = self.counts
+        many = counts > 2
+        within = np.repeat(many, counts)
+        return self.order[within], np.repeat(np.arange(int(many.sum())), counts[many])
+
+    @cached_property
+    def folds(self) -> Doubles:
+        """(N,) dihedral angle of each pair on the winding side of its first, radians 0..2 pi."""
+        first, second = self.pairs
+        normals = self.planes[:, :3]
+        opposed = self.forward[first] != self.forward[second]
+        along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
+        return dihedral(
+            along,
+            normals[self.polygon[first]],
+            normals[self.polygon[second]] * np.where(opposed, 1.0, -1.0)[:, None],
+        )
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the arrays, for caches."""
+        arrays = (self.sides, self.polygon, self.planes, self.order, self.first, self.forward)
+        return sum(a.nbytes for a in arrays) + 40 * len(self.first)
+
+
+def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
+    """The angle between polygons on the side that their normals point to, radians 0..2 pi.
+
+    Raskar 2001, section 2.2: 180 degrees where they are coplanar, less on a ridge, more in a
+    valley. All (N, 3); along is the shared side as the first polygon winds.
+    """
+    length = np.sqrt(np.einsum("ij,ij->i", along, along))
+    lift = np.einsum("ij,ij->i", along, _cross(first, second)) / np.maximum(length, 1e-300)
+    return np.asarray(np.pi - np.arctan2(lift, np.einsum("ij,ij->i", first, second)))
 
 
 def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
@@ -51,33 +123,95 @@ def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
 
 
 def edges(batch: PolygonBatch) -> Edges:
-    """The records of a batch.
+    """The edges of a batch.
 
     Polygons without a plane are left out: fewer than 3 distinct corners, zero area, NaN or
-    infinite corners. Sides of zero length and sides that are no true edges (`boundary`) give
-    no record. Normals are Newell's (exact area vectors of non-planar and concave polygons).
+    infinite corners. So are sides of zero length and those that are no true edges (`boundary`).
+    Normals are Newell's (exact area vectors of non-planar and concave polygons).
     """
-    sides = np.diff(batch.starts)
-    sizes = np.unique(sides)
+    sizes = np.diff(batch.starts)
+    kinds = np.unique(sizes)
     parts = []
-    for size in sizes[sizes >= 3].tolist():
-        if len(sizes) == 1:
+    done = 0
+    for size in kinds[kinds >= 3].tolist():
+        if len(kinds) == 1:
             at = batch.corners.reshape(-1, size)
             flags = batch.boundary.reshape(-1, size)
         else:
-            first = batch.starts[:-1][sides == size]
+            first = batch.starts[:-1][sizes == size]
             index = first[:, None] + np.arange(size, dtype=np.int32)
             at, flags = batch.corners[index], batch.boundary[index]
-        parts.append(_same_size(batch.positions[at], flags))
-    if len(parts) == 1:
-        return Edges(parts[0])
-    return Edges(np.concatenate(parts) if parts else np.empty((0, RECORD), np.float32))
+        part = _same_size(batch.positions[at], flags)
+        parts.append((part[0], part[1] + np.int32(done), part[2]))
+        done += len(part[2])
+    if not parts:
+        parts.append((np.empty((0, 9), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
+    sides, polygon, planes = (
+        parts[0] if len(parts) == 1 else (np.concatenate(a) for a in zip(*parts, strict=True))
+    )
+    return Edges(sides, polygon, planes, *_neighbours(sides))
 
 
-def _same_size(points: Floats, flags: NDArray[np.bool_]) -> Floats:
-    """Records of polygons with equally many corners. points (P, n, 3), flags (P, n)."""
+def _neighbours(sides: Floats) -> tuple[Indices, Indices, Flags]:
+    """The fields order, first and forward of `Edges`.
+
+    Ends count as one when they fall into the same cell. Those that rounding parted (a seam
+    computed twice) are looked for again in coarser cells that begin elsewhere.
+    """
+    if not len(sides):
+        return np.empty(0, np.intp), np.empty(0, np.intp), np.empty(0, np.bool_)
+    low = sides[:, 0:3].min(axis=0).astype(np.float64)
+    extent = max(float((sides[:, 0:3].max(axis=0) - low).max()), 1e-300)
+    key, forward = _edge_keys(sides, low, extent, *_CELLS[0])
+    order, first = _runs(key)
+    for cells, shift in _CELLS[1:]:
+        counts = np.diff(first, append=len(key))
+        lone = order[first[counts == 1]]
+        if len(lone) < 2:
+            break
+        again, ahead = _edge_keys(sides[lone], low, extent, cells, shift)
+        found, at = _runs(again)
+        sizes = np.diff(at, append=len(again))
+        met = found[np.repeat(sizes > 1, sizes)]
+        if len(met):
+            key[lone[met]], forward[lone[met]] = again[met], ahead[met]
+            order, first = _runs(key)
+    return order, first, forward
+
+
+def _runs(key: NDArray[np.int64]) -> tuple[Indices, Indices]:
+    """A sorting order of key, and where in it each run of equals begins."""
+    order = np.argsort(key)
+    ordered = key[order]
+    return order, np.flatnonzero(np.concatenate(([True], ordered[1:] != ordered[:-1])))
+
+
+def _edge_keys(
+    sides: Floats, low: Doubles, extent: float, cells: int, shift: float
+) -> tuple[NDArray[np.int64], Flags]:
+    """(E,) a number for the edge of each side, equal from either end, and the direction on it."""
+    scale = (cells - 2) / extent
+    start, end = (_cell(sides[:, at : at + 3], low, scale, shift) for at in (0, 3))
+    lesser, greater = np.minimum(start, end), np.maximum(start, end)
+    # 126 bits folded into 64; the odd multiplier spreads them, a clash is one in 2^64.
+    key = lesser * np.int64(-0x61C8864680B583EB) ^ (greater + (lesser >> np.int64(29)))
+    alone = start == end  # shorter than a cell: an edge of its own
+    key[alone] = -np.flatnonzero(alone) - 1
+    return key, start < end
+
+
+def _cell(points: Floats, low: Doubles, scale: float, shift: float) -> NDArray[np.int64]:
+    """(E,) one number for the cell of each point (E, 3)."""
+    x, y, z = (((points[:, k] - low[k]) * scale + shift).astype(np.int64) for k in range(3))
+    return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
+
+
+def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles]:
+    """Sides, polygon rows and planes of polygons with equally many corners.
+
+    points (P, n, 3), flags (P, n).
+    """
     count, size = flags.shape
-    records = np.empty((count, size, RECORD), np.float32)
     with np.errstate(invalid="ignore", over="ignore"):
         centre = points.mean(axis=1, dtype=np.float64)
         spokes = points - centre[:, None, :]
@@ -85,24 +219,28 @@ def _same_size(points: Floats, flags: NDArray[np.bool_]) -> Floats:
         length = np.sqrt(np.einsum("pi,pi->p", normal, normal))
         extent = np.einsum("pni,pni->p", spokes, spokes)
         sound = (length > _SLIVER * extent) & np.isfinite(extent)
-        normal /= np.where(sound, length, 1.0)[:, None]
-        for corner in range(size):
-            records[:, corner, 0:3] = points[:, corner]
-            records[:, corner, 3:6] = points[:, (corner + 1) % size]
-            records[:, corner, 6:9] = points[:, (corner + 2) % size]
-        records[:, :, 9:12] = normal[:, None, :]
-        records[:, :, 12] = -np.einsum("pi,pi->p", normal, centre)[:, None]
-        still = (records[..., 0:3] == records[..., 3:6]).all(axis=2)
+    if not sound.all():
+        points, flags, normal = points[sound], flags[sound], normal[sound]
+        centre, length = centre[sound], length[sound]
+        count = len(flags)
+    planes = np.empty((count, 4))
+    planes[:, :3] = normal / length[:, None]
+    planes[:, 3] = -np.einsum("pi,pi->p", planes[:, :3], centre)
+    sides = np.empty((count, size, 9), np.float32)
+    for corner in range(size):
+        for ahead in range(3):
+            sides[:, corner, 3 * ahead : 3 * ahead + 3] = points[:, (corner + ahead) % size]
+    still = (points == np.roll(points, -1, axis=1)).all(axis=2)
     if still.any():  # a repeated corner: the line turns at the next distinct one
         turn = np.roll(still, -1, axis=1)
-        after = np.roll(points, -3, axis=1)
-        records[turn, 6:9] = after[turn]
-    keep = flags & ~still & sound[:, None]
-    flat = records.reshape(-1, RECORD)
-    return flat if keep.all() else flat[keep.ravel()]
+        sides[turn, 6:9] = np.roll(points, -3, axis=1)[turn]
+    keep = (flags & ~still).ravel()
+    polygon = np.repeat(np.arange(count, dtype=np.int32), size)
+    flat = sides.reshape(-1, 9)
+    return (flat, polygon, planes) if keep.all() else (flat[keep], polygon[keep], planes)
 
 
-def _area_vector(spokes: NDArray[np.float64]) -> NDArray[np.float64]:
+def _area_vector(spokes: Doubles) -> Doubles:
     """Twice the area vectors of polygons (P, n, 3) about their centroids (Newell)."""
     size = spokes.shape[1]
     if size == 3:
@@ -115,7 +253,7 @@ def _area_vector(spokes: NDArray[np.float64]) -> NDArray[np.float64]:
     return total
 
 
-def _cross(u: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cross(u: Doubles, v: Doubles) -> Doubles:
     out = np.empty_like(u)
     out[:, 0] = u[:, 1] * v[:, 2] - u[:, 2] * v[:, 1]
     out[:, 1] = u[:, 2] * v[:, 0] - u[:, 0] * v[:, 2]

@@ -17,12 +17,13 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import RECORD, edges, join
+from glshim.geometry.edges import Edges, edges, join
+from glshim.geometry.lines import RECORD, Choice, choose
 from glshim.render.driver import gl
 from glshim.render.guard import Guard, possible
 from glshim.styling.protocol import Draw, Shader, Uniform
 
-_PRELUDE = (files(__package__) / "shaders" / "edge.glsl").read_text("utf-8")
+_PRELUDE = (files(__package__) / "shaders" / "line.glsl").read_text("utf-8")
 _OFF = (  # what would change or drop the ink: each is enabled by some app
     0x0B44,  # cull face
     0x0B90,  # stencil test
@@ -60,20 +61,13 @@ class _Program:
             found.write(np.ascontiguousarray(value, np.float32))
 
 
-@dataclass(frozen=True, slots=True)
-class _Stored:
-    buffer: Any
-    count: int
-    size: int
-
-
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
     def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
         self._context = context
         self._programs: dict[tuple[Shader, int], _Program] = {}
-        self._cache: OrderedDict[Hashable, _Stored] = OrderedDict()
+        self._cache: OrderedDict[Hashable, Edges] = OrderedDict()
         self._cache_bytes, self._cached = cache_bytes, 0
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
         self._ring_at = 0
@@ -81,7 +75,7 @@ class Backend:
         gl.glGenVertexArrays(1, ctypes.addressof(array))
         self._array = array.value
         gl.glBindVertexArray(self._array)
-        for location in range(4):
+        for location in range(5):
             gl.glEnableVertexAttribArray(location)
             gl.glVertexAttribDivisor(location, 1)
 
@@ -89,9 +83,9 @@ class Backend:
     def attach(cls, *, cache_bytes: int = 256 << 20, ring_bytes: int = 8 << 20) -> Backend:
         """A backend in the current context, whose state stays as it was.
 
-        cache_bytes bounds the GPU memory of batches with a key, ring_bytes is that of the others
-        (it grows when one frame needs more). Raises `RenderError` when there is no context, it is
-        older than 3.3, or it has no fixed function (a core profile: nothing to restyle there).
+        cache_bytes bounds the memory of the edges of batches with a key; ring_bytes is the GPU
+        memory through which lines stream (it grows when one draw needs more). Raises
+        `RenderError` when no context is current, or it is older than OpenGL 3.3.
         """
         version = gl.glGetString(0x1F02)
         if not version:
@@ -141,10 +135,10 @@ class Backend:
         view = _view(camera)
         if view is None:
             return
-        stored = self._records([draw.batch for draw in group])
-        if stored is None:
+        records = choose(self._edges([draw.batch for draw in group]), camera, first.choice)
+        if not len(records):
             return
-        buffer, offset, count = stored
+        offset = self._stream(records)
         program = self._program(first.shader, min(len(camera.clip_planes), _MOST_CLIP_PLANES))
         near, far = camera.depth_range
         away = -1.0 if greater != (near > far) else 1.0
@@ -152,36 +146,34 @@ class Backend:
         for name, matrix in view.items():
             program.write(name, matrix)
         program.set("half_viewport", (camera.viewport[2] / 2.0, camera.viewport[3] / 2.0))
-        program.set("winding", 1.0 if camera.front_ccw else -1.0)
         program.set("hair", away * steps)
         for key, value in first.uniforms.items():
             program.set(key, value)
         _set_up(camera)
         gl.glUseProgram(program.program.glo)
         gl.glBindVertexArray(self._array)
-        gl.glBindBuffer(0x8892, buffer.glo)
-        for location, (size, start) in enumerate(((3, 0), (3, 3), (3, 6), (4, 9))):
+        gl.glBindBuffer(0x8892, self._ring.glo)
+        for location, (size, start) in enumerate(((3, 0), (3, 3), (3, 6), (4, 9), (2, 13))):
             gl.glVertexAttribPointer(location, size, 0x1406, 0, RECORD * 4, offset + start * 4)
-        gl.glDrawArraysInstanced(0x0005, 0, first.shader.vertices, count)
+        gl.glDrawArraysInstanced(0x0005, 0, first.shader.vertices, len(records))
 
-    def _records(self, batches: list[PolygonBatch]) -> tuple[Any, int, int] | None:
-        """Buffer, byte offset and number of the edge records; None when there are none."""
+    def _edges(self, batches: list[PolygonBatch]) -> Edges:
+        """The edges of batches in one object space, found again by key."""
         key = batches[0].key
-        if key is not None:
-            stored = self._cache.get(key)
-            if stored is None:
-                records = edges(batches[0]).records
-                buffer = self._context.buffer(records) if len(records) else None
-                stored = _Stored(buffer, len(records), records.nbytes)
-                self._cache[key] = stored
-                self._cached += stored.size
-                self._forget_beyond()
-            else:
-                self._cache.move_to_end(key)
-            return (stored.buffer, 0, stored.count) if stored.count else None
-        records = edges(join(batches)).records
-        if not len(records):
-            return None
+        if key is None:
+            return edges(join(batches))
+        found = self._cache.get(key)
+        if found is None:
+            found = self._cache[key] = edges(batches[0])
+            self._cached += found.nbytes
+            while self._cached > self._cache_bytes and len(self._cache) > 1:
+                self._cached -= self._cache.popitem(last=False)[1].nbytes
+        else:
+            self._cache.move_to_end(key)
+        return found
+
+    def _stream(self, records: NDArray[np.float32]) -> int:
+        """Byte offset in the ring at which records now lie."""
         size = records.nbytes
         if size > self._ring.size:
             self._ring.release()
@@ -193,14 +185,7 @@ class Backend:
         offset = self._ring_at
         self._ring.write(records, offset=offset)
         self._ring_at = offset + size
-        return self._ring, offset, len(records)
-
-    def _forget_beyond(self) -> None:
-        while self._cached > self._cache_bytes and len(self._cache) > 1:
-            _, oldest = self._cache.popitem(last=False)
-            self._cached -= oldest.size
-            if oldest.buffer is not None:
-                oldest.buffer.release()
+        return offset
 
     def _program(self, shader: Shader, planes: int) -> _Program:
         found = self._programs.get((shader, planes))
@@ -228,14 +213,14 @@ def _integer(name: int) -> int:
 def _grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
     """Draws that one GL draw serves: without a key and alike in all but the batch."""
     groups: list[list[Draw]] = []
-    alike: dict[tuple[int, Shader, tuple[tuple[str, Uniform], ...]], list[Draw]] = {}
+    alike: dict[tuple[int, Choice, Shader, tuple[tuple[str, Uniform], ...]], list[Draw]] = {}
     for draw in draws:
         if draw.batch.polygon_count == 0:
             continue
         if draw.batch.key is not None:
             groups.append([draw])
             continue
-        same = (id(draw.camera), draw.shader, tuple(draw.uniforms.items()))
+        same = (id(draw.camera), draw.choice, draw.shader, tuple(draw.uniforms.items()))
         group = alike.get(same)
         if group is None:
             groups.append(alike.setdefault(same, [draw]))
@@ -255,15 +240,11 @@ def _view(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
         unprojection = np.linalg.inv(camera.projection)
     except np.linalg.LinAlgError:
         return None
-    front = 1.0 if camera.front_ccw else -1.0
-    centre = camera.object_centre * front
-    length = float(np.linalg.norm(centre))
     return {
         "modelview": camera.modelview.T,
         "projection": camera.projection.T,
         "unprojection": unprojection.T,
         "normal_matrix": camera.normal_matrix.T,
-        "centre": centre / length if length else centre,
         "viewpoint": camera.viewpoint,
     } | ({"clip_planes": np.array(camera.clip_planes[:6])} if camera.clip_planes else {})
 

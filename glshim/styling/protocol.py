@@ -11,7 +11,8 @@ calls GL::
 
         def draws(self, layer: Layer) -> Iterable[Draw]:
             for batch, camera in layer.items:
-                yield Draw(batch, camera, DOTS, {"size": self.size, "ink": self.ink})
+                uniforms = {"size": self.size, "ink": self.ink}
+                yield Draw(batch, camera, Choice(True, None), DOTS, uniforms)
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ from typing import Any, ClassVar, Literal
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
+from glshim.geometry.lines import Choice
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
@@ -178,9 +180,9 @@ class Layer:
 
 @dataclass(frozen=True, slots=True)
 class Shader:
-    """GLSL texts (no ``#version`` line) that turn one edge record into one triangle strip.
+    """GLSL texts (no ``#version`` line) that turn one line record into one triangle strip.
 
-    `vertex` follows the prelude ``glshim/render/shaders/edge.glsl``, which declares the record
+    `vertex` follows the prelude ``glshim/render/shaders/line.glsl``, which declares the record
     and the camera and offers the offset formulas; `fragment` stands alone.
     """
 
@@ -193,10 +195,11 @@ class Shader:
 
 @dataclass(frozen=True, slots=True)
 class Draw:
-    """Extra geometry: `shader` run over every true edge of every polygon of `batch`."""
+    """Extra geometry: `shader` run over the chosen sides of the polygons of `batch`."""
 
     batch: PolygonBatch
     camera: Camera
+    choice: Choice
     shader: Shader
     uniforms: Mapping[str, Uniform]
     """The shader's own uniforms by name."""

@@ -12,6 +12,7 @@ from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
+from glshim.geometry.lines import Choice
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
 
 _HERE = files(__package__)
@@ -56,11 +57,12 @@ class Raskar(Styler):
         if not (self.silhouettes or self.ridges):
             return
         angle = radians(self.ridge_angle)
+        choice = Choice(self.silhouettes, angle if self.ridges else None)
         uniforms: dict[str, Uniform] = {
-            "silhouette_width": self.silhouette_width if self.silhouettes else 0.0,
-            "ridge_width": self.ridge_width / 2.0 if self.ridges else 0.0,
+            "silhouette_width": self.silhouette_width,
+            "ridge_width": self.ridge_width / 2.0,
             "ridge_turn": (cos(angle), sin(angle)),
             "ink": self.ink,
         }
         for batch, camera in layer.items:
-            yield Draw(batch, camera, SHADER, uniforms)
+            yield Draw(batch, camera, choice, SHADER, uniforms)

@@ -1,8 +1,8 @@
-// What:   one strip an edge. Back-facing polygon: the part of its enlargement beyond this side,
-//         with the corner to the next side. Front-facing polygon: the ridge quad at the threshold
-//         angle, with the wedge to the next quad.
-// Inputs: an edge record and the camera (edge.glsl); widths in pixels, 0 for none; the
-//         threshold angle. Six vertices: a out, a, b out, b, tip of the corner, next side's b out.
+// What:   one strip a line. Ring: the part of a polygon's enlargement beyond one side, with the
+//         corner to the next side. Ridge: the quad at the threshold angle, with the wedge to the
+//         next quad. Fin: the outline of an open side.
+// Inputs: a line record and the camera (line.glsl); widths in pixels; the threshold angle.
+//         Six vertices: a out, a, b out, b, tip of the corner, next side's b out.
 // Source: Raskar 2001, sections 2.1 and 2.2, stepped straight out on the screen so that the width
 //         is exact (derivation and numpy reference: glshim/geometry/raskar.py).
 
@@ -12,23 +12,33 @@ uniform vec2 ridge_turn;        // cosine and sine of the threshold angle
 
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
-const float INSET = 0.5;        // pixels by which a silhouette reaches under its object
+const float INSET = 0.5;        // pixels by which a ring reaches under its object
 const float EDGE_ON = 0.02;     // ridge quads flatter to the line of sight cannot be seen
+const float FIN_TILT = 0.17;    // cosine between a fin and the line of sight
 const float LONGEST_TIP = 3.0;  // widths
 
-// Normal of the plane in which the line beside a side lies. eye space, all unit.
-vec3 line_plane(bool front, vec3 along, vec3 normal, float sight) {
+// Normal of the plane that the line beside a side lies in. Eye space, all unit; sight is the
+// direction from the side to the viewer.
+vec3 line_plane(int kind, vec3 along, vec3 normal, vec3 sight) {
     vec3 outward = normalize(cross(along, normal));
     vec3 upright = cross(outward, along);
-    return front ? ridge_turn.y * outward - ridge_turn.x * sight * upright : upright;
+    if (kind == RING) return upright;
+    if (kind == FIN) {
+        vec3 level = normalize(cross(along, sight));
+        level *= dot(level, outward) < 0.0 ? -1.0 : 1.0;
+        vec3 seen = normalize(sight - dot(sight, along) * along);
+        return FIN_TILT * seen + sqrt(1.0 - FIN_TILT * FIN_TILT) * level;
+    }
+    upright *= dot(upright, sight) < 0.0 ? -1.0 : 1.0;
+    return ridge_turn.y * outward - ridge_turn.x * upright;
 }
 
 void main() {
     gl_Position = NOWHERE;
     reach = vec2(0.0);
-    bool front = dot(edge_plane, centre) > 0.0;
-    float width = front ? ridge_width : silhouette_width;
-    if (width <= 0.0) return;
+    int kind = int(edge_kind.x);
+    bool ridge = kind == RIDGE || kind == LONE_RIDGE;
+    float width = ridge ? ridge_width : silhouette_width;
 
     vec4 eye_a = modelview * vec4(edge_a, 1.0);
     vec4 eye_b = modelview * vec4(edge_b, 1.0);
@@ -41,20 +51,23 @@ void main() {
     if (dot(along, along) < 1e-6) return;
     along = normalize(along);
 
-    float side = front ? winding : -winding;  // the polygon's own winding in the window
     vec3 normal = normalize(normal_matrix * edge_plane.xyz);
-    float sight = facing(normal, eye_a.xyz) < 0.0 ? -1.0 : 1.0;
-    vec3 plane = line_plane(front, normalize(eye_b.xyz - eye_a.xyz), normal, sight);
-    float turned = front ? facing(plane, eye_a.xyz) : 1.0;
-    if (front && abs(turned) < EDGE_ON * length(viewpoint.xyz - viewpoint.w * eye_a.xyz)) return;
-    if (front && turned < 0.0 && ridge_turn.y >= 0.0) return;  // behind its own polygon
-    side *= sign(turned);
-    vec2 out_1 = side * vec2(along.y, -along.x), offset = vec2(0.0);
+    vec3 sight = normalize(viewpoint.xyz - viewpoint.w * eye_a.xyz);
+    vec3 plane = line_plane(kind, normalize(eye_b.xyz - eye_a.xyz), normal, sight);
+    float side = edge_kind.y;
+    if (ridge) {
+        float turned = dot(plane, sight);
+        if (abs(turned) < EDGE_ON) return;
+        if (turned < 0.0 && ridge_turn.y >= 0.0) return;  // hidden behind its own polygon
+        side *= sign(turned);
+    }
+    vec2 out_1 = side * vec2(along.y, -along.x), offset;
     vec2 slope = depth_slope(plane, eye_a.xyz);
 
     int corner = gl_VertexID;
     if (corner < 4) {
-        offset = (corner & 1) == 0 ? width * out_1 : front ? vec2(0.0) : -INSET * out_1;
+        float inset = kind == RING ? INSET : kind == FIN ? 0.5 * INSET : 0.0;
+        offset = (corner & 1) == 0 ? width * out_1 : -inset * out_1;
         reach = vec2(0.0, dot(offset, out_1) / width);
     } else {
         if (far_b.z < -far_b.w) return;
@@ -72,15 +85,18 @@ void main() {
         else if (halved > 1e-3) offset = width * min(1.0 / halved, LONGEST_TIP) * middle / halved;
         else offset = width * out_1;
         reach = vec2(dot(offset, along), dot(offset, out_1)) / width;
-        if (front) {
-            vec3 plane_2 = line_plane(true, normalize(eye_c.xyz - eye_b.xyz), normal, sight);
+        if (kind != RING) {
+            vec3 sight_2 = normalize(viewpoint.xyz - viewpoint.w * eye_b.xyz);
+            vec3 plane_2 = line_plane(kind, normalize(eye_c.xyz - eye_b.xyz), normal, sight_2);
             vec2 slope_2 = depth_slope(plane_2, eye_b.xyz);
             slope = corner == 5 ? slope_2 : 0.5 * (slope + slope_2);
         }
     }
     vec4 clip = corner < 2 ? clip_a : clip_b;
-    float depth = dot(slope, offset);
-    depth = front ? depth - hair : max(depth, 0.0) + 2.0 * hair;
+    float depth = dot(slope, offset), away = sign(hair);
+    if (kind == RIDGE) depth -= hair;
+    else if (kind == LONE_RIDGE) depth += hair;
+    else depth = away * max(away * depth, 0.0) + 2.0 * hair;
     clip_as_the_app(corner < 2 ? mix(eye_a, eye_b, cut_a) : mix(eye_b, eye_a, cut_b));
     vec2 place = clip.xy + offset / half_viewport * clip.w;
     gl_Position = vec4(place, min(clip.z + depth * clip.w, clip.w), clip.w);

@@ -1,19 +1,18 @@
-// Prelude of every edge shader: the edge record, the camera, and what a line on the screen needs.
+// Prelude of every line shader: the line record, the camera, and what a line on the screen needs.
 // Mirrored in numpy by glshim/geometry/raskar.py, which cites the papers and is held to this.
 
 layout(location = 0) in vec3 edge_a;      // object space: the side runs from a
 layout(location = 1) in vec3 edge_b;      // to b,
 layout(location = 2) in vec3 edge_c;      // and the polygon turns towards c
 layout(location = 3) in vec4 edge_plane;  // unit normal of the winding, -(its dot with the centroid)
+layout(location = 4) in vec2 edge_kind;   // RING ..., and the winding in the window: +1 ccw, -1 cw
 
 uniform mat4 modelview;         // object to eye
 uniform mat4 projection;        // eye to clip
 uniform mat4 unprojection;      // clip to eye
 uniform mat3 normal_matrix;     // cofactors of modelview
-uniform vec4 centre;            // the eye in object space; plane . centre > 0: front-facing
 uniform vec4 viewpoint;         // the viewer in eye space: a point, or (w = 0) a direction to it
 uniform vec2 half_viewport;     // pixels
-uniform float winding;          // +1: front faces wind counter-clockwise in the window, else -1
 uniform float hair;             // a few steps of the depth buffer, in ndc, signed: + is away
 
 #if CLIP_PLANES > 0
@@ -26,6 +25,7 @@ void clip_as_the_app(vec4 eye) {
 void clip_as_the_app(vec4 eye) {}
 #endif
 
+const int RING = 0, RIDGE = 1, LONE_RIDGE = 2, FIN = 3;  // glshim/geometry/lines.py
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 // How far to move a clip-space point p towards q for it not to lie before the near plane, 0..1.

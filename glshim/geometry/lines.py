@@ -1,0 +1,113 @@
+"""Which sides of which polygons become lines under a camera, and what kind of line."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.camera import Camera
+from glshim.geometry.edges import Doubles, Edges, Flags, Indices, dihedral
+
+RING, RIDGE, LONE_RIDGE, FIN = range(4)
+"""Kinds of line. RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1).
+RIDGE: the quad at the threshold angle, where the neighbour is known to fold below it (2.2).
+LONE_RIDGE: that quad where no neighbour is known: depth decides. FIN: a ring where none is known,
+leaning back so steeply that a neighbour hides it after all (a seam, a T-junction, the next batch)
+and the outline of an open surface does not depend on its winding."""
+
+RECORD = 15
+"""Floats of one record: a, b, c (3 each), plane (4), kind, winding in the window (+1 or -1)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Which lines a style wants."""
+
+    silhouettes: bool
+    ridge_angle: float | None
+    """Greatest dihedral angle of a ridge in radians, or None for no ridges."""
+
+
+def choose(edges: Edges, camera: Camera, choice: Choice) -> NDArray[np.float32]:
+    """(L, 15) float32 records of the lines to draw, object space; see `RECORD`.
+
+    Per side, as in the paper: a ring where its polygon is back-facing, a ridge quad where it is
+    front-facing. Where another side lies on the same edge, what that polygon hides anyway is
+    left out: a ring stays only where all polygons of the edge lie on one side of it in the
+    window (the occluding contour, whatever the windings), a ridge only where they lie on both
+    and fold at most by the threshold.
+    """
+    ccw = edges.planes @ camera.object_centre > 0.0
+    ccw_side = ccw[edges.polygon]
+    front = ccw_side == camera.front_ccw
+    left = ccw_side == edges.forward
+    found: list[tuple[int, Indices]] = []
+    ridges = choice.ridge_angle is not None and choice.ridge_angle > 0.0
+
+    singles = edges.singles
+    ahead = front[singles]
+    if choice.silhouettes:
+        found.append((FIN, singles))
+    if ridges:
+        found.append((LONE_RIDGE, singles[ahead]))
+
+    first, second = edges.pairs
+    across = left[first] != left[second]
+    if choice.silhouettes:
+        one, other = first[~across], second[~across]
+        behind = ~front[one], ~front[other]
+        found += [(RING, one[behind[0] | ~behind[1]]), (RING, other[behind[1]])]
+    if choice.ridge_angle is not None and ridges:
+        fold = _seen_folds(edges, camera, across, ccw_side)
+        sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + 1e-6]
+        found += [(RIDGE, first[sharp]), (RIDGE, second[sharp])]
+
+    sides, edge = edges.crowds
+    if len(sides):
+        total = np.bincount(edge)
+        lefts = np.bincount(edge, left[sides])
+        contour = ((lefts == 0) | (lefts == total))[edge]
+        if choice.silhouettes:
+            none_behind = (np.bincount(edge, ~front[sides]) == 0)[edge]
+            found.append((RING, sides[contour & (~front[sides] | none_behind)]))
+        if ridges:
+            found.append((LONE_RIDGE, sides[~contour & front[sides]]))
+    return _records(edges, found, ccw_side)
+
+
+def _seen_folds(edges: Edges, camera: Camera, across: Flags, ccw: Flags) -> Doubles:
+    """Dihedral angles (radians, eye space, on the viewer's side) of the pairs in across."""
+    first, second = (sides[across] for sides in edges.pairs)
+    if _is_similarity(camera.modelview):
+        fold, mirrored = edges.folds[across], camera.mirrored
+    else:
+        normals = edges.planes[:, :3] @ camera.normal_matrix.T
+        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+        along = edges.sides[first, 3:6].astype(np.float64) - edges.sides[first, 0:3]
+        opposed = edges.forward[first] != edges.forward[second]
+        fold = dihedral(
+            along @ camera.modelview[:3, :3].T,
+            normals[edges.polygon[first]],
+            normals[edges.polygon[second]] * np.where(opposed, 1.0, -1.0)[:, None],
+        )
+        mirrored = bool(np.linalg.det(camera.projection) > 0.0)
+    return np.where(ccw[first] != mirrored, fold, 2.0 * np.pi - fold)
+
+
+def _is_similarity(modelview: Doubles) -> bool:
+    """Whether angles in object space are angles in eye space."""
+    square = modelview[:3, :3].T @ modelview[:3, :3]
+    scale = float(np.trace(square)) / 3.0
+    return bool(np.abs(square - scale * np.eye(3)).max() <= 1e-6 * scale)
+
+
+def _records(edges: Edges, found: list[tuple[int, Indices]], ccw: Flags) -> NDArray[np.float32]:
+    rows = np.concatenate([sides for _, sides in found]) if found else np.empty(0, np.intp)
+    records = np.empty((len(rows), RECORD), np.float32)
+    records[:, :9] = edges.sides[rows]
+    records[:, 9:13] = edges.planes[edges.polygon[rows]]
+    records[:, 13] = np.repeat([kind for kind, _ in found], [len(sides) for _, sides in found])
+    records[:, 14] = np.where(ccw[rows], 1.0, -1.0)
+    return records
