@@ -1,15 +1,20 @@
-"""Armed by the start-up file when a GLSHIM_* variable is set; cheap until PyOpenGL is imported."""
+"""Armed by the start-up file when a GLSHIM_* variable is set.
 
-from __future__ import annotations
+Nothing but the watch on imports is loaded until a toolkit or PyOpenGL comes, so that every other
+Python program that inherits the variables pays next to nothing.
+"""
 
-from types import ModuleType
-
-from glshim.capture import frames
 from glshim.capture.imports import after_import
 
-# By now the app has chosen PyOpenGL's flags (ERROR_CHECKING, ...), and no GL function exists yet.
-FIRST_MODULE = "OpenGL.platform"
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from types import ModuleType
 
+# By now the app has chosen PyOpenGL's flags (ERROR_CHECKING, ...), and no GL function exists yet:
+# each of them imports this module, which imports OpenGL.platform first.
+PYOPENGL = "OpenGL.error"
+# Toolkits whose names an app may take before it imports PyOpenGL.
+EARLY_TOOLKITS = ("glfw", "pygame.display")
 
 _armed = False
 
@@ -23,11 +28,18 @@ def arm() -> None:
     if _armed:
         return
     _armed = True
+    for toolkit in EARLY_TOOLKITS:
+        after_import(toolkit, _watch_toolkits)
+    after_import(PYOPENGL, _begin)
+
+
+def _watch_toolkits(module: "ModuleType") -> None:
+    from glshim.capture import frames
+
     frames.watch_toolkits()
-    after_import(FIRST_MODULE, _begin)
 
 
-def _begin(module: ModuleType) -> None:
+def _begin(module: "ModuleType") -> None:
     from glshim import session
 
     session.begin()
