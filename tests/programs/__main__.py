@@ -22,14 +22,17 @@ def compare(program: Program, style: str, display: str, out: Path) -> list[str]:
     if plain.fault():
         return [program.name, "-", "-", "-", "plain: " + plain.fault()]
     none, styled = run(program, "none", display), run(program, style, display)
+    word = style.partition(":")[0]
     none.save(out / f"{program.slug}.none.png")
-    saved = styled.save(out / f"{program.slug}.{style.partition(':')[0]}.png")
+    saved = styled.save(out / f"{program.slug}.{word}.png")
+    for mode, result in (("none", none), (word, styled)):
+        (out / f"{program.slug}.{mode}.log").write_text(result.log)
 
     def verdict(other_is_same: bool, changed: int) -> str:
         return "yes" if other_is_same else f"NO ({changed} px)"
 
     notes = none.fault() or styled.fault() or str(saved)
-    if not (none.shimmed and styled.shimmed):
+    if not none.fault() and not styled.fault() and not (none.shimmed and styled.shimmed):
         notes = "glshim was not at work"
     elif styled.log.count("Traceback") > plain.log.count("Traceback"):
         notes += "; says " + styled.log.strip().splitlines()[-1]

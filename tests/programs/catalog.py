@@ -1,5 +1,6 @@
 """The programs that others wrote, as data: where each comes from and how it is started."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,12 +16,13 @@ class Program:
     source: str
     script: str = ""  # a path inside the source's folder, or `-m module`
     arguments: tuple[str, ...] = ()
+    home: str = ""  # a folder whose files lie in the program's home
     frames: int = 3
     inked: bool = True  # whether the raskar style is to leave lines on it
 
     @property
     def slug(self) -> str:
-        return self.name.replace("/", "_").removesuffix(".py")
+        return re.sub(r"\W+", "_", self.name.removesuffix(".py"))
 
 
 def demo(path: str, inked: bool = True) -> Program:
@@ -48,9 +50,10 @@ DEMO_PROGRAMS = (
 OTHERS = (
     Program("Planet3D", "Planet3D", str(HERE / "apps" / "solar_system.py")),
     Program("phalcopulse", "phalcopulse", str(HERE / "apps" / "bouncing_ball.py")),
-    Program("pygame/glcube", "pygame", "-m pygame.examples.glcube"),
+    Program("pygame/glcube", "pygame", str(HERE / "apps" / "glcube_fixed.py")),
+    Program("pygame/glcube, core profile", "pygame", "-m pygame.examples.glcube", inked=False),
     Program("dxf2gcode", "dxf2gcode", "usr/bin/dxf2gcode", (str(HERE / "apps" / "plate.dxf"),),
-            frames=1, inked=False),  # it draws lines only
+            home=str(HERE / "apps" / "dxf2gcode_home"), frames=1, inked=False),  # Qt: not yet
 )
 
 OURS = tuple(

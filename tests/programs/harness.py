@@ -53,18 +53,24 @@ class Run:
         """The last line of the log where the run failed, else nothing."""
         if self.status == 0 and self.pictures:
             return ""
+        if self.status < 0:
+            return f"ended by signal {-self.status}"
         lines = self.log.strip().splitlines()
         return lines[-1] if lines else f"status {self.status}, nothing presented"
 
 
-def environment(style: str | None, display: str, start: Launch) -> dict[str, str]:
+def environment(style: str | None, display: str, start: Launch,
+                seed: str = "") -> dict[str, str]:
     home = cache_folder() / f"home{display}"  # empty, and the same in every run
     shutil.rmtree(home, ignore_errors=True)
-    home.mkdir(parents=True)
+    if seed:
+        shutil.copytree(seed, home)
+    home.mkdir(parents=True, exist_ok=True)
     kept = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
     kept |= {
         "DISPLAY": display,
         "PYTHONHASHSEED": "0",
+        "PYTHONFAULTHANDLER": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
         "PYTHONPATH": os.pathsep.join(map(str, start.paths)),
         "LD_LIBRARY_PATH": os.pathsep.join(map(str, start.libraries)),
@@ -91,7 +97,7 @@ def run(program: Program, style: str | None, display: str, limit: float = 60.0) 
                 runner = [sys.executable, str(HERE / "frozen.py"), str(out), str(program.frames)]
                 status = subprocess.run(
                     [*runner, *start.command], cwd=start.folder,
-                    env=environment(style, display, start),
+                    env=environment(style, display, start, program.home),
                     stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT,
                     timeout=limit, check=False).returncode
             except subprocess.TimeoutExpired:
