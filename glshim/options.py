@@ -167,3 +167,19 @@ def read_environment(environ: Mapping[str, str]) -> tuple[Settings, tuple[str, .
         capture=read(CAPTURE, parse_capture, "no frames are written"),
     )
     return settings, tuple(complaints)
+
+
+def describe(styler: type[Styler]) -> str:
+    """A style for people: its first line of documentation and a line for each option."""
+    summary = (styler.__doc__ or "").strip().splitlines()
+    lines = [f"{styler.name}: {summary[0]}" if summary else styler.name]
+    options = options_of(styler)
+    widths = [
+        max((len(text) for text in column), default=0)
+        for column in zip(*((o.name, o.show(o.default), o.allowed) for o in options), strict=True)
+    ]
+    for option in options:
+        cells = (option.name, option.show(option.default), option.allowed)
+        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
+        lines.append(f"  {'  '.join(padded)}  {option.help}")
+    return "\n".join(lines)

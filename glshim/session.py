@@ -7,7 +7,7 @@ import os
 from glshim import options
 from glshim.capture import frames
 from glshim.errors import GlshimError
-from glshim.notices import say
+from glshim.notices import say, say_fault
 
 LOOKS_AT_THE_PICTURE, COUNTS = 1, 2
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
@@ -36,9 +36,12 @@ def _install(style: str) -> None:
     except GlshimError as error:
         say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
         return
-    from glshim import pipeline
+    try:
+        from glshim import pipeline
 
-    pipeline.install(styler)
+        pipeline.install(styler)
+    except Exception as error:  # the frames asked for still come, and the end
+        say_fault("cannot install the style, the program runs unstyled", error)
 
 
 class FrameLimit:

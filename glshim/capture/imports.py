@@ -8,13 +8,14 @@ imports it sees a single name of it.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
-from importlib.machinery import ModuleSpec
-from types import ModuleType
 
-from glshim.notices import say_fault
+TYPE_CHECKING = False  # the module `typing` would be a good part of the cost of a start
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from importlib.machinery import ModuleSpec
+    from types import ModuleType
 
-Action = Callable[[ModuleType], None]
+    Action = Callable[[ModuleType], None]
 
 _actions: dict[str, list[Action]] = {}
 
@@ -34,6 +35,8 @@ def _run(action: Action, module: ModuleType) -> None:
     try:
         action(module)
     except Exception as error:  # an import of the app's must not fail for us
+        from glshim.notices import say_fault
+
         say_fault(f"not ready for {module.__name__}, which stays plain", error)
 
 

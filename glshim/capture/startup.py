@@ -10,8 +10,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from types import ModuleType
 
-# By now the app has chosen PyOpenGL's flags (ERROR_CHECKING, ...), and no GL function exists yet:
-# each of them imports this module, which imports OpenGL.platform first.
+# Everything of PyOpenGL that makes GL functions imports this first. By now the app has chosen its
+# flags (ERROR_CHECKING, ...), and the platform is known.
 PYOPENGL = "OpenGL.error"
 # Toolkits whose names an app may take before it imports PyOpenGL.
 EARLY_TOOLKITS = ("glfw", "pygame.display")

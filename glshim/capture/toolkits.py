@@ -40,6 +40,7 @@ class Toolkit:
 
 # --- GLUT ---------------------------------------------------------------------------------------
 
+
 def _glut() -> Any:
     from OpenGL.platform import PLATFORM
 

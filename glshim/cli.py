@@ -1,0 +1,124 @@
+"""The command line: ``glshim run|view|styles|doctor``, the same as ``python -m glshim``.
+
+Exit status: the program's own under ``run`` and ``view``; 2 for a command that makes no sense (a
+style, a number, a screen that is not there), before any window opens.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from glshim import launch, options
+from glshim.errors import GlshimError
+from glshim.notices import say
+
+DEFAULT_STYLE = "raskar"
+VIEWER = "demo_apps.viewer"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; its exit status."""
+    asked = _parser().parse_args(arguments)
+    try:
+        status: int = asked.command(asked)
+    except GlshimError as error:
+        say(str(error))
+        return 2
+    return status
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="glshim", description="Restyle unmodified PyOpenGL programs with ink lines."
+    )
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    running = argparse.ArgumentParser(add_help=False)
+    running.add_argument(
+        "--style",
+        default=DEFAULT_STYLE,
+        help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
+    )
+    running.add_argument("--frames", metavar="N", help="end with status 0 after N frames")
+    running.add_argument(
+        "--capture", metavar="OUT%03d.png", help="write each frame as presented, from number 1"
+    )
+    running.add_argument(
+        "--headless", action="store_true", help="run on a virtual screen of its own (Xvfb)"
+    )
+
+    run = commands.add_parser(
+        "run",
+        parents=[running],
+        help="run a program, restyled",
+        usage="glshim run [options] (SCRIPT | -m MODULE) [ARGS...]",
+    )
+    what = run.add_mutually_exclusive_group(required=True)
+    what.add_argument("-m", dest="module", nargs=argparse.REMAINDER, help="run a module")
+    what.add_argument("script", nargs="?", help="the program, as python takes it")
+    run.add_argument("arguments", nargs=argparse.REMAINDER, help="the program's own")
+    run.set_defaults(command=_run)
+
+    view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
+    view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
+    view.set_defaults(command=_view)
+
+    styles = commands.add_parser("styles", help="list the styles and their options")
+    styles.add_argument("names", nargs="*", metavar="NAME", help="only these")
+    styles.set_defaults(command=_styles)
+
+    doctor = commands.add_parser("doctor", help="say what is here and what will not work")
+    doctor.add_argument("--headless", action="store_true", help="look at GL on a virtual screen")
+    doctor.add_argument(
+        "--startup-cost", action="store_true", help="measure what glshim adds to Python's start"
+    )
+    doctor.set_defaults(command=_doctor)
+    return parser
+
+
+def _run(asked: argparse.Namespace) -> int:
+    program = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]
+    return _launch(program, asked)
+
+
+def _view(asked: argparse.Namespace) -> int:
+    return _launch(["-m", VIEWER, *([asked.model] if asked.model else [])], asked)
+
+
+def _launch(program: list[str], asked: argparse.Namespace) -> int:
+    return launch.run(program, variables_for(asked), headless=asked.headless)
+
+
+def variables_for(asked: argparse.Namespace) -> dict[str, str]:
+    """The flags as the variables that the program's start reads, checked here and now."""
+    options.parse_style(asked.style)
+    is_file = asked.style.endswith(".toml")
+    variables = {options.STYLE: str(Path(asked.style).absolute()) if is_file else asked.style}
+    if asked.frames is not None:
+        variables[options.FRAMES] = str(options.parse_frames(asked.frames))
+    if asked.capture is not None:
+        variables[options.CAPTURE] = options.parse_capture(asked.capture)
+    return variables
+
+
+def _styles(asked: argparse.Namespace) -> int:
+    from glshim.styling import registry
+
+    for name in asked.names or registry.names():
+        print(options.describe(registry.load(name)))
+    return 0
+
+
+def _doctor(asked: argparse.Namespace) -> int:
+    from glshim import doctor
+
+    if asked.startup_cost:
+        return doctor.print_startup_cost()
+    return doctor.print_report(headless=asked.headless)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
