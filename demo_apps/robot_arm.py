@@ -226,7 +226,7 @@ def handle(event: pygame.event.Event, view: View) -> bool:
 
 
 def main() -> None:
-    pygame.init()
+    pygame.display.init()
     pygame.display.set_mode(SIZE, pygame.OPENGL | pygame.DOUBLEBUF)
     pygame.display.set_caption("Robot arm")
     set_up()
