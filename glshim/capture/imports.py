@@ -23,8 +23,11 @@ _actions: dict[str, list[Action]] = {}
 def after_import(name: str, action: Action) -> None:
     """Run ``action(module)`` when the module is imported, now if it already is."""
     module = sys.modules.get(name)
-    if module is not None and not getattr(module.__spec__, "_initializing", False):
-        _run(action, module)
+    if module is not None:
+        if getattr(module.__spec__, "_initializing", False):
+            _run_when_initialized(action, module)
+        else:
+            _run(action, module)
         return
     _actions.setdefault(name, []).append(action)
     if _FINDER not in sys.meta_path:
@@ -38,6 +41,22 @@ def _run(action: Action, module: ModuleType) -> None:
         from glshim.notices import say_fault
 
         say_fault(f"not ready for {module.__name__}, which stays plain", error)
+
+
+def _run_when_initialized(action: Action, module: ModuleType) -> None:
+    """For a module whose import is under way: the import system ends it by clearing a flag on the
+    module's spec, which for that long gets a class of its own."""
+    spec = module.__spec__
+    plain = type(spec)
+
+    class Watched(plain):  # type: ignore[misc, valid-type]
+        def __setattr__(self, name: str, value: object) -> None:
+            super().__setattr__(name, value)
+            if name == "_initializing" and not value:
+                self.__class__ = plain
+                _run(action, module)
+
+    spec.__class__ = Watched  # type: ignore[union-attr]
 
 
 class _Finder:

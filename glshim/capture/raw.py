@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from .imports import after_import
+
 Call = Callable[..., Any]
 Maker = Callable[[Call], Call]
 """Given the original call, makes the hook. Wrapper makers get and give calls with ``self``."""
@@ -62,9 +64,7 @@ class RawLayer:
         """Follow PyOpenGL: what it has loaded already and what it will load."""
         if self._undo:
             return
-        from OpenGL.lazywrapper import _LazyWrapper
         from OpenGL.platform import baseplatform
-        from OpenGL.wrapper import Wrapper
 
         pointer = baseplatform._NullFunctionPointer
         load = pointer.load
@@ -80,10 +80,16 @@ class RawLayer:
         for cls in _subclasses(pointer):
             if "__call__" in vars(cls) and cls is not baseplatform._DeprecatedFunctionPointer:
                 self._adopt(cls)
-        for base in (Wrapper, _LazyWrapper):
-            self._follow_wrappers(base)
+        # Not imported here: at start-up PyOpenGL is in the middle of its own imports.
+        after_import("OpenGL.wrapper", lambda module: self._follow_wrappers(module.Wrapper))
+        after_import(
+            "OpenGL.lazywrapper", lambda module: self._follow_wrappers(module._LazyWrapper)
+        )
 
     def _follow_wrappers(self, base: Any) -> None:
+        if not self._undo:  # uninstalled before the import came
+            return
+
         def follow(cls: type, **named: Any) -> None:
             super(base, cls).__init_subclass__(**named)
             self._adopt_wrapper(cls, base.__call__)

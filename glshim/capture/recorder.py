@@ -60,7 +60,7 @@ class Recorder:
         """Hook glBegin, glEnd and every recorded attribute."""
         from OpenGL import _configflags
 
-        raw, wrappers = self._make()
+        raw, wrappers = self._make(_configflags.ERROR_CHECKING)
         for name, maker in raw.items():
             RAW.hook(name, maker)
             self._set.append((RAW.hook, name))
@@ -77,7 +77,7 @@ class Recorder:
             place(name, None)
         self._set.clear()
 
-    def _make(self) -> tuple[dict[str, Maker], dict[str, Maker]]:
+    def _make(self, error_checking: bool) -> tuple[dict[str, Maker], dict[str, Maker]]:
         """Makers by name for the raw layer and for the wrappers.
 
         They are closures over shared cells: the fastest state that pure Python offers.
@@ -285,10 +285,9 @@ class Recorder:
 
         raw: dict[str, Maker] = {"glBegin": make_begin, "glEnd": make_end}
         wrappers: dict[str, Maker] = {}
-        checker = forward.error_checker()
-        if checker is not None:
-            wrappers["glBegin"] = _quick("glBegin", make_begin, checker.onBegin)
-            wrappers["glEnd"] = _quick("glEnd", make_end, checker.onEnd)
+        if error_checking:
+            wrappers["glBegin"] = _quick("glBegin", make_begin, "onBegin")
+            wrappers["glEnd"] = _quick("glEnd", make_end, "onEnd")
         for row in ATTRIBUTES:
             raw[row.name] = integers(row) if row.type in _INTEGERS else floats(row)
             raw[row.name + "v"] = pointers(row)
@@ -296,19 +295,25 @@ class Recorder:
         return raw, wrappers
 
 
-def _quick(name: str, make: Maker, before: Callable[[], None]) -> Maker:
+def _none() -> None:
+    """Nothing to do."""
+
+
+def _quick(name: str, make: Maker, bookkeeping: str) -> Maker:
     """What PyOpenGL's lazy wrapper does, less two Python calls: its bookkeeping, then the hook."""
 
     def make_wrapper(base: Call) -> Call:
         hook: Call | None = None
+        before: Call = _none
 
         def wrapper(this: Any, *args: Any) -> Any:
-            nonlocal hook
+            nonlocal hook, before
             if hook is None:
                 real = RAW.original(name)
                 if real is None:  # not loaded yet: the long way loads it
                     return base(this, *args)
                 hook = make(real)
+                before = getattr(forward.error_checker(), bookkeeping)
             before()
             return hook(*args)
 
