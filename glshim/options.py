@@ -132,11 +132,8 @@ def parse_frames(text: str) -> int:
 
 def parse_capture(text: str) -> str:
     """A file name, absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
-    try:
-        numbered = text % 1 if "%" in text else text
-    except (TypeError, ValueError):
-        numbered = ""
-    if not numbered or not numbered.lower().endswith(".png"):
+    rest = re.sub("%0?[0-9]*d", "", text, count=1)
+    if "%" in rest or not text.lower().endswith(".png"):
         raise StyleError(
             f"{text!r} is no file name for frames: it ends in .png "
             "and holds one %d or %03d, or none, for the frame's number"

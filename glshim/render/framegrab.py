@@ -73,14 +73,19 @@ class FrameWriter:
         self._number += 1
         if not self._usable:
             return
-        pattern = self._pattern
-        path = Path(pattern % self._number if "%" in pattern else pattern)
+        path = Path(self._numbered())
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             grab(self._size()).save(path)
         except OSError as error:
             self._usable = False
             say(f"cannot write {path}: {error.strerror or error}; no more frames are written")
+
+    def _numbered(self) -> str:
+        # No ``%`` operator: a folder's name may hold another percent sign.
+        return re.sub(
+            "%(0?[0-9]*)d", lambda found: format(self._number, f"{found[1]}d"), self._pattern
+        )
 
 
 @contextmanager

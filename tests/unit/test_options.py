@@ -1,0 +1,132 @@
+"""Style texts, style files and the environment: what is read, and the one line when it cannot be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from glshim.errors import StyleError, UnknownNameError
+from glshim.options import describe, parse_capture, parse_frames, parse_style, read_environment
+from glshim.styling import registry
+from stylers.raskar import Raskar
+
+
+def test_a_name_gives_the_defaults() -> None:
+    assert parse_style("raskar") == Raskar()
+
+
+def test_values_are_numbers_colours_switches_and_words() -> None:
+    text = " raskar : ridges=off, ridge_width=4.5 ,ink=#FF0080,fill=none,"
+    expected = Raskar(ridges=False, ridge_width=4.5, ink=(1.0, 0.0, 128 / 255), fill="none")
+    assert parse_style(text) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("rasker", "did you mean raskar?"),
+        ("raskar:ridge_agle=3", "did you mean ridge_angle"),
+        ("none:ridges=on", "no option 'ridges': it has none"),
+        ("raskar:ridge_angle=361", "0..360 degrees"),
+        ("raskar:ridge_angle=nan", "0..360 degrees"),
+        ("raskar:ridge_angle=wide", "0..360 degrees"),
+        ("raskar:ink=black", "#rrggbb"),
+        ("raskar:ridges=perhaps", "on, off"),
+        ("raskar:fill=#12345", "app, none or #rrggbb"),
+        ("raskar:ridges", "write ridges=on"),
+        ("", "no style"),
+        ("raskar:=3", "no option ''"),
+    ],
+)
+def test_a_wrong_text_gives_one_clear_line(text: str, says: str) -> None:
+    with pytest.raises(StyleError) as caught:
+        parse_style(text)
+    assert says in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_an_unknown_name_carries_its_nearest_matches() -> None:
+    with pytest.raises(UnknownNameError) as caught:
+        parse_style("raskar:silhouete_width=2")
+    assert caught.value.matches[0] == "silhouette_width"
+
+
+def test_a_file_has_the_same_keys(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('style = "raskar"\nridges = false\nridge_width = 4\nink = "#ff0000"\n')
+    assert parse_style(str(path)) == Raskar(ridges=False, ridge_width=4, ink=(1.0, 0.0, 0.0))
+
+
+def test_a_file_may_write_a_switch_as_a_word(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('style = "raskar"\nridges = "off"\n')
+    assert parse_style(str(path)) == Raskar(ridges=False)
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ('style = "raskar"\n\nridge_agle = 3\n', "mine.toml:3: style 'raskar' has no option"),
+        ('style = "raskar"\nridge_angle = 700\n', "mine.toml:2: ridge_angle=700"),
+        ('style = "raskar"\nridge_angle = "wide"\n', "mine.toml:2: ridge_angle=wide"),
+        ('style = "raskar"\nridges = 3\n', "mine.toml:2: ridges=3"),
+        ('# mine\nstyle = "rasker"\n', "mine.toml:2: no style is called 'rasker'"),
+        ("ridges = true\n", 'style = "raskar"'),
+        ('style = "raskar"\nridges = \n', "line 2"),
+        ("style = 3\n", "names its style"),
+    ],
+)
+def test_a_wrong_file_names_itself_and_the_line(tmp_path: Path, content: str, says: str) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(content)
+    with pytest.raises(StyleError) as caught:
+        parse_style(str(path))
+    assert says in str(caught.value)
+    assert "mine.toml" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_file_that_is_not_there_is_named() -> None:
+    with pytest.raises(StyleError, match=r"nowhere\.toml: No such file"):
+        parse_style("nowhere.toml")
+
+
+def test_the_environment_is_read_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    settings, complaints = read_environment(
+        {"GLSHIM_STYLE": " raskar ", "GLSHIM_FRAMES": "12", "GLSHIM_CAPTURE": "f%03d.png"}
+    )
+    assert complaints == ()
+    assert settings.style == "raskar"
+    assert settings.frames == 12
+    assert settings.capture == str(tmp_path / "f%03d.png")
+
+
+def test_a_wrong_variable_counts_as_unset_and_is_said() -> None:
+    settings, complaints = read_environment(
+        {"GLSHIM_STYLE": "", "GLSHIM_FRAMES": "many", "GLSHIM_CAPTURE": "a.gif"}
+    )
+    assert (settings.style, settings.frames, settings.capture) == (None, None, None)
+    assert [line.partition(":")[0] for line in complaints] == ["GLSHIM_FRAMES", "GLSHIM_CAPTURE"]
+
+
+@pytest.mark.parametrize("text", ["0", "-1", "1.5", "ten", "", "1e3", "٣"])
+def test_frames_are_a_whole_number_from_one(text: str) -> None:
+    with pytest.raises(StyleError):
+        parse_frames(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["a%s.png", "a%d%d.png", "a%.png", "a.jpg", "a%d", "%", "a%(n)d.png"]
+)
+def test_a_capture_pattern_holds_one_number_at_most(text: str) -> None:
+    with pytest.raises(StyleError):
+        parse_capture(text)
+
+
+def test_a_description_lists_every_option_with_range_and_default() -> None:
+    text = describe(registry.load("raskar"))
+    row = next(line for line in text.splitlines() if line.split()[0] == "ridge_angle")
+    assert row.split()[:4] == ["ridge_angle", "120", "0..360", "degrees"]
+    assert describe(registry.load("none")).startswith("none: ")
