@@ -87,13 +87,18 @@ class Camera:
     def normal_matrix(self) -> NDArray[np.float64]:
         """(3, 3) the cofactors of modelview's upper 3x3: takes area vectors (Newell normals)
         from object to eye space, exact under any scale, shear or mirroring."""
-        m = self.modelview[:3, :3]
-        return np.stack([np.cross(m[i - 2], m[i - 1]) for i in range(3)])
+        return cofactors(self.modelview)
 
     @property
     def orthographic(self) -> bool:
         """Whether w does not depend on the eye-space position (parallel projection)."""
         return bool(np.all(self.projection[3, :3] == 0.0))
+
+
+def cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(3, 3) the cofactors of a matrix's upper 3x3: what its action on vectors does to areas."""
+    m = matrix[:3, :3]
+    return np.stack([np.cross(m[i - 2], m[i - 1]) for i in range(3)])
 
 
 def _minors(rows: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -10,14 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
+from glshim.geometry.camera import cofactors
 
 Floats = NDArray[np.float32]
 Doubles = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
-_SLIVER = 1e-6
-"""Area over squared extent below which float32 corners say nothing about a normal."""
+_GRAIN = 16 * float(np.finfo(np.float32).eps)
+"""Length, over the largest coordinate, below which float32 corners say nothing: heights of
+polygons under it are slivers without a normal, sides under it have no length."""
 _CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23))
 """Cells per axis in which corners count as one when neighbours are looked for, and the shift of
 the cells, for each round of looking."""
@@ -51,7 +53,8 @@ class Edges:
     @cached_property
     def counts(self) -> Indices:
         """(G,) number of sides on each edge."""
-        return np.asarray(np.diff(self.first, append=len(self.order)), np.intp)
+        ends = np.append(self.first[1:], len(self.order))
+        return ends - self.first
 
     @cached_property
     def singles(self) -> Indices:
@@ -75,15 +78,18 @@ class Edges:
     @cached_property
     def folds(self) -> Doubles:
         """(N,) dihedral angle of each pair on the winding side of its first, radians 0..2 pi."""
-        first, second = self.pairs
-        normals = self.planes[:, :3]
-        opposed = self.forward[first] != self.forward[second]
+        return self.fold(*self.pairs)
+
+    def fold(self, first: Indices, second: Indices, modelview: Doubles | None = None) -> Doubles:
+        """(N,) dihedral angles of pairs of sides, on the winding side of first, radians 0..2 pi,
+        in object space or in the space that a (4, 4) modelview leads to."""
+        one, other = (self.planes[self.polygon[side], :3] for side in (first, second))
+        other = np.where((self.forward[first] != self.forward[second])[:, None], other, -other)
         along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
-        return dihedral(
-            along,
-            normals[self.polygon[first]],
-            normals[self.polygon[second]] * np.where(opposed, 1.0, -1.0)[:, None],
-        )
+        if modelview is not None:
+            turn = cofactors(modelview).T
+            one, other, along = _unit(one @ turn), _unit(other @ turn), along @ modelview[:3, :3].T
+        return dihedral(along, one, other)
 
     @property
     def nbytes(self) -> int:
@@ -101,6 +107,11 @@ def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
     length = np.sqrt(np.einsum("ij,ij->i", along, along))
     lift = np.einsum("ij,ij->i", along, _cross(first, second)) / np.maximum(length, 1e-300)
     return np.asarray(np.pi - np.arctan2(lift, np.einsum("ij,ij->i", first, second)))
+
+
+def _unit(vectors: Doubles) -> Doubles:
+    length = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
+    return np.asarray(vectors / np.maximum(length, 1e-300)[:, None])
 
 
 def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
@@ -131,6 +142,9 @@ def edges(batch: PolygonBatch) -> Edges:
     """
     sizes = np.diff(batch.starts)
     kinds = np.unique(sizes)
+    with np.errstate(invalid="ignore"):
+        sizes_of = np.abs(batch.positions)
+        grain = _GRAIN * float(np.max(sizes_of, initial=0.0, where=sizes_of < np.inf))
     parts = []
     done = 0
     for size in kinds[kinds >= 3].tolist():
@@ -141,7 +155,7 @@ def edges(batch: PolygonBatch) -> Edges:
             first = batch.starts[:-1][sizes == size]
             index = first[:, None] + np.arange(size, dtype=np.int32)
             at, flags = batch.corners[index], batch.boundary[index]
-        part = _same_size(batch.positions[at], flags)
+        part = _same_size(batch.positions[at], flags, grain)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
         done += len(part[2])
     if not parts:
@@ -206,10 +220,12 @@ def _cell(points: Floats, low: Doubles, scale: float, shift: float) -> NDArray[n
     return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
 
 
-def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles]:
+def _same_size(
+    points: Floats, flags: Flags, grain: float
+) -> tuple[Floats, NDArray[np.int32], Doubles]:
     """Sides, polygon rows and planes of polygons with equally many corners.
 
-    points (P, n, 3), flags (P, n).
+    points (P, n, 3), flags (P, n); grain is the length that counts as none.
     """
     count, size = flags.shape
     with np.errstate(invalid="ignore", over="ignore"):
@@ -218,7 +234,7 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
         normal = _area_vector(spokes)
         length = np.sqrt(np.einsum("pi,pi->p", normal, normal))
         extent = np.einsum("pni,pni->p", spokes, spokes)
-        sound = (length > _SLIVER * extent) & np.isfinite(extent)
+        sound = (length > grain * np.sqrt(extent)) & np.isfinite(extent)
     if not sound.all():
         points, flags, normal = points[sound], flags[sound], normal[sound]
         centre, length = centre[sound], length[sound]
@@ -230,7 +246,8 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
     for corner in range(size):
         for ahead in range(3):
             sides[:, corner, 3 * ahead : 3 * ahead + 3] = points[:, (corner + ahead) % size]
-    still = (points == np.roll(points, -1, axis=1)).all(axis=2)
+    step = sides[:, :, 3:6] - sides[:, :, 0:3]
+    still = np.einsum("pni,pni->pn", step, step) <= grain * grain
     if still.any():  # a repeated corner: the line turns at the next distinct one
         turn = np.roll(still, -1, axis=1)
         sides[turn, 6:9] = np.roll(points, -3, axis=1)[turn]

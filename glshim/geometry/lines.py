@@ -8,14 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import Doubles, Edges, Flags, Indices, dihedral
+from glshim.geometry.edges import Doubles, Edges, Flags, Indices
 
 RING, RIDGE, LONE_RIDGE, FIN = range(4)
 """Kinds of line. RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1).
 RIDGE: the quad at the threshold angle, where the neighbour is known to fold below it (2.2).
-LONE_RIDGE: that quad where no neighbour is known: depth decides. FIN: a ring where none is known,
-leaning back so steeply that a neighbour hides it after all (a seam, a T-junction, the next batch)
-and the outline of an open surface does not depend on its winding."""
+LONE_RIDGE: that quad where no neighbour is known: depth decides. FIN: a ring that leans back so
+steeply that nearly every surface near the edge hides it. It outlines open sides, where a neighbour
+may be there after all (a seam, a T-junction, the next batch), and folds that are hollow on the
+winding side: hidden in a solid, visible in a sheet or where the windings are inside out."""
 
 RECORD = 15
 """Floats of one record: a, b, c (3 each), plane (4), kind, winding in the window (+1 or -1)."""
@@ -58,7 +59,10 @@ def choose(edges: Edges, camera: Camera, choice: Choice) -> NDArray[np.float32]:
     if choice.silhouettes:
         one, other = first[~across], second[~across]
         behind = ~front[one], ~front[other]
-        found += [(RING, one[behind[0] | ~behind[1]]), (RING, other[behind[1]])]
+        hollow = edges.fold(one, other) > np.pi
+        for kind, which in ((RING, ~hollow), (FIN, hollow)):
+            found.append((kind, one[(behind[0] | ~behind[1]) & which]))
+            found.append((kind, other[behind[1] & which]))
     if choice.ridge_angle is not None and ridges:
         fold = _seen_folds(edges, camera, across, ccw_side)
         sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + 1e-6]
@@ -83,15 +87,7 @@ def _seen_folds(edges: Edges, camera: Camera, across: Flags, ccw: Flags) -> Doub
     if _is_similarity(camera.modelview):
         fold, mirrored = edges.folds[across], camera.mirrored
     else:
-        normals = edges.planes[:, :3] @ camera.normal_matrix.T
-        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
-        along = edges.sides[first, 3:6].astype(np.float64) - edges.sides[first, 0:3]
-        opposed = edges.forward[first] != edges.forward[second]
-        fold = dihedral(
-            along @ camera.modelview[:3, :3].T,
-            normals[edges.polygon[first]],
-            normals[edges.polygon[second]] * np.where(opposed, 1.0, -1.0)[:, None],
-        )
+        fold = edges.fold(first, second, camera.modelview)
         mirrored = bool(np.linalg.det(camera.projection) > 0.0)
     return np.where(ccw[first] != mirrored, fold, 2.0 * np.pi - fold)
 

@@ -12,7 +12,8 @@ uniform vec2 ridge_turn;        // cosine and sine of the threshold angle
 
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
-const float INSET = 0.5;        // pixels by which a ring reaches under its object
+const float INSET = 0.5;        // pixels by which silhouettes reach under their own polygon
+const float SNAP = 1.0 / 256.0;  // pixels, against what rasterisation rounds away
 const float EDGE_ON = 0.02;     // ridge quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;    // cosine between a fin and the line of sight
 const float LONGEST_TIP = 3.0;  // widths
@@ -54,21 +55,22 @@ void main() {
     vec3 normal = normalize(normal_matrix * edge_plane.xyz);
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * eye_a.xyz);
     vec3 plane = line_plane(kind, normalize(eye_b.xyz - eye_a.xyz), normal, sight);
-    float side = edge_kind.y;
+    float side = edge_kind.y, turned = dot(plane, sight);
     if (ridge) {
-        float turned = dot(plane, sight);
         if (abs(turned) < EDGE_ON) return;
         if (turned < 0.0 && ridge_turn.y >= 0.0) return;  // hidden behind its own polygon
         side *= sign(turned);
     }
     vec2 out_1 = side * vec2(along.y, -along.x), offset;
-    vec2 slope = depth_slope(plane, eye_a.xyz);
+    vec2 slope = depth_slope(plane, eye_a.xyz), slope_2 = slope;
+    float reached = width + SNAP;
 
     int corner = gl_VertexID;
+    bool under = corner == 1 || corner == 3;
     if (corner < 4) {
-        float inset = kind == RING ? INSET : kind == FIN ? 0.5 * INSET : 0.0;
-        offset = (corner & 1) == 0 ? width * out_1 : -inset * out_1;
-        reach = vec2(0.0, dot(offset, out_1) / width);
+        offset = under ? (ridge ? 0.0 : -INSET) * out_1 : reached * out_1;
+        if (under) slope = depth_slope(normal, eye_a.xyz);
+        reach = vec2(0.0, dot(offset, out_1) / reached);
     } else {
         if (far_b.z < -far_b.w) return;
         vec4 eye_c = modelview * vec4(edge_c, 1.0);
@@ -79,18 +81,19 @@ void main() {
         along_2 = normalize(along_2);
         vec2 out_2 = side * vec2(along_2.y, -along_2.x);
         if (side * (along.x * along_2.y - along.y * along_2.x) <= 0.0) out_2 = out_1;
-        vec2 middle = 0.5 * (out_1 + out_2);
-        float halved = length(middle);        // cosine of half the turn
-        if (corner == 5) offset = width * out_2;
-        else if (halved > 1e-3) offset = width * min(1.0 / halved, LONGEST_TIP) * middle / halved;
-        else offset = width * out_1;
-        reach = vec2(dot(offset, along), dot(offset, out_1)) / width;
         if (kind != RING) {
             vec3 sight_2 = normalize(viewpoint.xyz - viewpoint.w * eye_b.xyz);
             vec3 plane_2 = line_plane(kind, normalize(eye_c.xyz - eye_b.xyz), normal, sight_2);
-            vec2 slope_2 = depth_slope(plane_2, eye_b.xyz);
-            slope = corner == 5 ? slope_2 : 0.5 * (slope + slope_2);
+            if (ridge && dot(plane_2, sight_2) * turned < EDGE_ON * abs(turned)) out_2 = out_1;
+            else slope_2 = depth_slope(plane_2, eye_b.xyz);
         }
+        vec2 middle = 0.5 * (out_1 + out_2);
+        float halved = length(middle);        // cosine of half the turn
+        if (corner == 5) offset = reached * out_2;
+        else if (halved > 1e-3) offset = reached * min(1.0 / halved, LONGEST_TIP) * middle / halved;
+        else offset = reached * out_1;
+        reach = vec2(dot(offset, along), dot(offset, out_1)) / reached;
+        slope = corner == 5 ? slope_2 : 0.5 * (slope + slope_2);
     }
     vec4 clip = corner < 2 ? clip_a : clip_b;
     float depth = dot(slope, offset), away = sign(hair);
