@@ -1,4 +1,4 @@
-"""Style texts, style files and the environment: what is read, and the one line when it cannot be."""
+"""Style texts, style files and the environment: what is read, and the line when it cannot be."""
 
 from __future__ import annotations
 
