@@ -1,0 +1,155 @@
+"""The command line: what is refused before anything starts, and that a program runs as plain."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+LOOK = """
+import __main__, json, os, sys
+print(json.dumps({
+    "argv": sys.argv, "path": sys.path[0], "name": __name__, "file": __file__,
+    "main": __main__.__file__, "optimize": sys.flags.optimize, "spec": __spec__ and __spec__.name,
+    "stdin": sys.stdin.read(), "cwd": os.getcwd(),
+}))
+"""
+
+
+def glshim(
+    *arguments: str, cwd: Path | None = None, environ: Mapping[str, str] = os.environ,
+    flags: tuple[str, ...] = (), stdin: str = "",
+) -> subprocess.CompletedProcess[str]:  # fmt: skip
+    command = [sys.executable, *flags, "-m", "glshim", *arguments]
+    return subprocess.run(
+        command, cwd=cwd, env=environ, input=stdin, capture_output=True, text=True, timeout=120,
+        check=False,
+    )  # fmt: skip
+
+
+def python(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *arguments], cwd=cwd, input=stdin, capture_output=True, text=True,
+        timeout=60, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--style", "rasker"], "did you mean raskar?"),
+        (["--style", "raskar:ridge_angle=999"], "0..360 degrees"),
+        (["--style", "nowhere.toml"], "nowhere.toml"),
+        (["--frames", "0"], "whole number from 1"),
+        (["--capture", "a.jpg"], ".png"),
+    ],
+)
+def test_what_makes_no_sense_ends_with_2_before_the_program(
+    tmp_path: Path, arguments: list[str], says: str
+) -> None:
+    (tmp_path / "app.py").write_text("open('started', 'w')")
+    done = glshim("run", *arguments, "app.py", cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert says in done.stderr
+    assert done.stderr.startswith("glshim: ")
+    assert done.stderr.count("\n") == 1
+    assert not (tmp_path / "started").exists()
+
+
+@pytest.mark.parametrize("headless", [[], ["--headless"]])
+@pytest.mark.parametrize(
+    "program", [["app.py", "--frames", "x", "-m", "--"], ["-m", "app", "-m", "--style", "no"]]
+)
+def test_a_program_sees_what_python_shows_it(
+    tmp_path: Path, program: list[str], headless: list[str]
+) -> None:
+    (tmp_path / "app.py").write_text(LOOK)
+    plain = python("-O", *program, cwd=tmp_path, stdin="typed")
+    shimmed = glshim("run", *headless, *program, cwd=tmp_path, flags=("-O",), stdin="typed")
+    assert plain.returncode == 0
+    assert shimmed.stdout == plain.stdout
+    assert shimmed.stderr == ""
+
+
+def test_the_flags_come_to_the_program_as_variables(tmp_path: Path) -> None:
+    (tmp_path / "app.py").write_text(
+        "import os; print(*(os.environ[f'GLSHIM_{n}'] for n in ('STYLE', 'FRAMES', 'CAPTURE')))"
+    )
+    done = glshim("run", "--frames", "3", "--capture", "f%02d.png", "app.py", cwd=tmp_path)
+    assert done.stdout.split() == ["raskar", "3", str(tmp_path / "f%02d.png")]
+
+
+@pytest.mark.parametrize("headless", [[], ["--headless"]])
+def test_the_exit_status_is_the_programs(tmp_path: Path, headless: list[str]) -> None:
+    (tmp_path / "app.py").write_text("import sys; sys.exit(7)")
+    assert glshim("run", *headless, "app.py", cwd=tmp_path).returncode == 7
+    (tmp_path / "app.py").write_text("import os; os.kill(os.getpid(), 9)")
+    assert glshim("run", *headless, "app.py", cwd=tmp_path).returncode == -9
+
+
+def test_a_signal_reaches_the_program_and_the_screen_goes(tmp_path: Path) -> None:
+    (tmp_path / "app.py").write_text(
+        "import os, signal, sys, time\n"
+        "signal.signal(signal.SIGTERM, lambda *_: sys.exit(5))\n"
+        "print(os.environ['DISPLAY'], flush=True)\n"
+        "time.sleep(60)"
+    )
+    command = [sys.executable, "-m", "glshim", "run", "--headless", "app.py"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        display = running.stdout.readline().strip()
+        socket = Path("/tmp/.X11-unix", "X" + display.removeprefix(":"))
+        assert display != os.environ["DISPLAY"]
+        assert socket.exists()
+        running.send_signal(signal.SIGTERM)
+        assert running.wait(20) == 5
+    assert not socket.exists()
+
+
+def test_a_machine_without_xvfb_is_told_what_to_install(tmp_path: Path) -> None:
+    done = glshim("run", "--headless", "app.py", cwd=tmp_path, environ={"PATH": str(tmp_path)})
+    assert done.returncode == 2
+    assert "apt-get install xvfb" in done.stderr
+
+
+def test_python_that_reads_no_startup_file_is_refused(tmp_path: Path) -> None:
+    root = Path(__file__).parents[2]
+    environ = {**os.environ, "PYTHONPATH": os.pathsep.join([str(root), *sys.path[1:]])}
+    done = glshim("run", "app.py", cwd=tmp_path, environ=environ, flags=("-S",))
+    assert done.returncode == 2
+    assert "leave out -S" in done.stderr
+
+
+def test_styles_lists_every_style_with_its_options() -> None:
+    done = glshim("styles")
+    assert done.returncode == 0
+    for word in ("none:", "raskar:", "ridge_angle", "0..360 degrees", "#rrggbb"):
+        assert word in done.stdout
+    assert glshim("styles", "rasker").returncode == 2
+
+
+def test_doctor_finds_the_context_and_the_toolkits() -> None:
+    done = glshim("doctor")
+    assert done.returncode == 0, done.stdout
+    for word in ("renderer", "compatibility", "glutSwapBuffers", "start-up file", "extra lines"):
+        assert word in done.stdout
+
+
+def test_doctor_says_so_where_no_window_opens() -> None:
+    environ = {name: text for name, text in os.environ.items() if name != "DISPLAY"}
+    done = glshim("doctor", environ={**environ, "GLSHIM_FRAMES": "none"})
+    assert done.returncode == 1
+    assert "no window opens here" in done.stdout
+    assert "GLSHIM_FRAMES: 'none' is no number" in done.stdout
+
+
+def test_doctor_measures_the_startup_cost() -> None:
+    done = glshim("doctor", "--startup-cost")
+    assert done.returncode == 0
+    assert "of glshim imported                nothing" in done.stdout
