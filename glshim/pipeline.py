@@ -15,7 +15,18 @@ from .assembly.evaluators import evaluator_key
 from .assembly.fetch import Unfetchable, VertexFetch
 from .assembly.immediate import POLYGON_MODES, QUADS
 from .assembly.layers import LayerCollector
-from .assembly.lists import Call, Change, ListBook, Primitive, list_names
+from .assembly.lists import (
+    Bare,
+    Call,
+    Change,
+    Closing,
+    Item,
+    ListBook,
+    Opening,
+    Primitive,
+    Shape,
+    list_names,
+)
 from .assembly.rectangles import rectangle
 from .capture import forward, frames
 from .capture.clibraries import C_LIBRARIES
@@ -67,7 +78,6 @@ class _Context:
         self.shapes: OrderedDict[Hashable, PolygonBatch | None] = OrderedDict()
         self.backend: Backend | None = None
         self.compiling = 0
-        self.fragment: list[Callable[[], Any]] = []
         if self.refused:
             say_once(f"unstyled: {self.refused}; the program runs as it would without a style")
 
@@ -122,8 +132,8 @@ class Pipeline:
             return
         program = context.lists.open
         if program is not None:
-            program.items.append(Primitive(mode, stream))
-            program.opaque |= bool(self._reruns)
+            again = self._rerun(mode, stream) if self._reruns else None
+            program.items.append(Shape(None, again) if again else Primitive(mode, stream))
         if drawing is None:
             return
         if self._reruns:
@@ -149,19 +159,26 @@ class Pipeline:
         return draw
 
     @_contained
-    def stray_end(self) -> None:
-        """PrimitiveSink: a list ends a primitive that it did not begin."""
-        context = self._context()
-        if context is not None and context.lists.open is not None:
-            context.lists.open.ends = True
+    def bare(self, stream: bytes) -> None:
+        """PrimitiveSink: vertices of a list outside any primitive of it."""
+        if stream:
+            self._compile(Bare(stream))
 
     @_contained
-    def unfinished(self, stream: bytes) -> None:
-        """Watcher: a list begins a primitive that it does not end."""
+    def stray_end(self) -> None:
+        """PrimitiveSink: a list ends a primitive that it did not begin."""
+        self._compile(Closing())
+
+    @_contained
+    def unfinished(self, mode: int, stream: bytes) -> None:
+        """PrimitiveSink: a list leaves the primitive open that it began."""
         self._close()
+        self._compile(Opening(mode, stream))
+
+    def _compile(self, item: Item) -> None:
         context = self._context()
         if context is not None and context.lists.open is not None:
-            context.lists.open.begins = True
+            context.lists.open.items.append(item)
 
     @_contained
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
@@ -173,8 +190,23 @@ class Pipeline:
             row = BY_NAME["glVertex3f"]
             x, y, z = context.fetch.element(int(args[0]))
             RECORDER.extend(row.pack.pack(x, y, z, row.tag))
-        elif name.startswith(("glEval", "glCallList")):
+        elif name.startswith("glEval"):
             self._reruns.append((RECORDER.position(), call))
+        elif name.startswith("glCallList"):
+            self._called_inside(context, name, args)
+
+    def _called_inside(self, context: _Context, name: str, args: tuple[Any, ...]) -> None:
+        """A list called inside a primitive: it adds vertices, and may end it."""
+        names = list_names(name, args, _integer(0x0B32) if name == "glCallLists" else 0)
+        if context.lists.open is not None:
+            context.lists.open.items.append(Call(names))
+        for item in (item for each in names for item in context.lists.items(each)):
+            if isinstance(item, Bare):
+                RECORDER.extend(item.stream)
+            elif isinstance(item, Closing):
+                finished = RECORDER.finish()
+                if finished is not None:
+                    self.end(*finished)
 
     # -- capture: draws by role ------------------------------------------------------------------
 
@@ -238,13 +270,12 @@ class Pipeline:
     ) -> None:
         program = context.lists.open
         if role is Role.EVALUATOR_MESH:
-            if program is not None:
-                program.opaque = True
-            if state is not None:
-                call = RAW.original(name)
-                if call is not None:
-                    key = evaluator_key(name, args)
-                    self._shape(context, state, key, functools.partial(call, *args))
+            call = RAW.original(name)
+            draw = functools.partial(call, *args) if call is not None else None
+            if draw is not None and program is not None:
+                program.items.append(Shape(None, draw))
+            elif draw is not None and state is not None:
+                self._shape(context, state, evaluator_key(name, args), draw)
             return
         if role is Role.RECT:
             stream = rectangle(name, args)
@@ -285,34 +316,28 @@ class Pipeline:
             context.lists.open.items.append(Call(names))
         if context.compiling == _COMPILE:
             return
-        if context.fragment or any(context.lists.begins(n) for n in names):
-            if not context.fragment and state is None:
-                return
-            if not context.fragment:
-                self._drawing = (context, state) if state is not None else None
-            self._fragment(context, names)
-            return
         if state is None:
             return
         for each in names:
+            if context.lists.leaves_open(each):
+                self._left_open(context, state, each)
+                return
             found = context.lists.polygons(
-                each, _integer(0x0BA0), _list_by_feedback, current_context()
+                each, _integer(0x0BA0), functools.partial(self._polygons, context), current_context()
             )
             if found.relative is not None:
                 context.layer.add_batch(state, found.relative)
             for batch, modelview in found.absolute:
                 context.layer.add_batch(state, batch, replace(state.camera, modelview=modelview))
 
-    def _fragment(self, context: _Context, names: tuple[int, ...]) -> None:
-        """A primitive begun in one list and ended in another: run as a whole through feedback."""
-        context.fragment.extend(functools.partial(gl.glCallList, n) for n in names)
-        if not any(context.lists.ends(n) for n in names):
-            return
-        calls, context.fragment = context.fragment, []
-        drawing, self._drawing = self._drawing, None
-        batch = feedback.polygons(lambda: [call() for call in calls])
-        if batch is not None and drawing is not None:
-            context.layer.add_batch(drawing[1], batch)
+    def _left_open(self, context: _Context, state: DrawState, name: int) -> None:
+        """The primitive goes on after the list that began it, recorded as any other."""
+        mode, stream = 0, b""
+        for item in context.lists.items(name):
+            if isinstance(item, Opening):
+                mode, stream = item.mode, item.stream
+        RECORDER.resume(mode, stream)
+        self._drawing = (context, state)
 
     # -- capture: shapes drawn in C ----------------------------------------------------------------
 
@@ -331,10 +356,9 @@ class Pipeline:
         if context is None or context.refused or draw is None:
             return
         if context.lists.open is not None:
-            context.lists.open.opaque = True
-        if state is None or context.compiling:
-            if state is not None:
-                say_once(f"unstyled: {name} in GL_COMPILE_AND_EXECUTE, until the list is called")
+            context.lists.open.items.append(Shape(key, draw))
+            return
+        if state is None:
             return
         if camera_bound and key is not None:
             camera = state.camera
@@ -344,18 +368,23 @@ class Pipeline:
     def _shape(
         self, context: _Context, state: DrawState, key: Hashable | None, draw: Callable[[], Any]
     ) -> None:
-        if key is None:
-            batch = feedback.polygons(draw)
-        elif key in context.shapes:
-            batch = context.shapes[key]
-            context.shapes.move_to_end(key)
-        else:
-            batch = feedback.polygons(draw, ("shape", key))
-            context.shapes[key] = batch
-            if len(context.shapes) > 256:
-                context.shapes.popitem(last=False)
+        batch = self._polygons(context, key, draw)
         if batch is not None:
             context.layer.add_batch(state, batch)
+
+    def _polygons(
+        self, context: _Context, key: Hashable | None, draw: Callable[[], Any]
+    ) -> PolygonBatch | None:
+        """A shape's polygons, from feedback mode the first time."""
+        if key is None:
+            return feedback.polygons(draw)
+        if key in context.shapes:
+            context.shapes.move_to_end(key)
+            return context.shapes[key]
+        batch = context.shapes[key] = feedback.polygons(draw, ("shape", key))
+        if len(context.shapes) > 256:
+            context.shapes.popitem(last=False)
+        return batch
 
     # -- layers and frames -------------------------------------------------------------------------
 
@@ -372,7 +401,7 @@ class Pipeline:
         """A draw begins: the layer may end, and its polygons may carry lines."""
         self._drawing = None
         context = self._context()
-        if context is None or context.refused or context.fragment:
+        if context is None or context.refused:
             return
         if context.lists.open is not None and context.compiling != _COMPILE_AND_EXECUTE:
             return
@@ -433,10 +462,6 @@ class Pipeline:
         if context is None or context.refused or _integer(0x0C32):
             return call()
         return frames.present(call)
-
-
-def _list_by_feedback(name: int) -> PolygonBatch | None:
-    return feedback.polygons(functools.partial(gl.glCallList, name))
 
 
 def _integer(name: int) -> int:

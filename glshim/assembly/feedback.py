@@ -34,22 +34,27 @@ _OFF = (0x0B44, 0x0B50, 0x0B60, 0x8037, 0x0BC0, 0x0B42, 0x0B24,
 """Culling, lighting, fog, polygon offset, alpha test, stipple, clip planes: not in the way."""
 _SIDE = 1024
 _FIRST_RADIUS = 1.0e6
+_COARSE = 2.0**-21
 _FIRST_SIZE = 1 << 20
 
 
 def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBatch | None:
     """What ``draw`` draws, in the space that was current when it was called; None when nothing.
 
-    Costs two to four runs of ``draw``: call once and keep the result. The GL state that ``draw``
+    Costs three or four runs of ``draw``: call once and keep the result. The GL state that ``draw``
     changes is put back, matrices included. Call outside glBegin/glEnd and open display lists.
     """
     with _stage() as set_stage:
-        rough = _run(draw, set_stage, _FIRST_RADIUS, _FILLED)
-        triangles, _ = _parse(rough, _FIRST_RADIUS)
-        if not len(triangles):
-            return None
-        radius = float(np.abs(triangles).max()) * 1.01 + 1e-30
-        triangles, _ = _parse(_run(draw, set_stage, radius, _FILLED), radius)
+        radius = _FIRST_RADIUS
+        while True:
+            triangles, _ = _parse(_run(draw, set_stage, radius, _FILLED), radius)
+            if not len(triangles):
+                return None
+            # Window coordinates are floats: what comes back is as coarse as the stage is large.
+            reach = float(np.abs(triangles).max()) * 1.01 + radius * _COARSE
+            if reach > radius / 16.0:
+                break
+            radius = reach
         _, lines = _parse(_run(draw, set_stage, radius, _LINES), radius)
     return _batch(triangles, lines, key)
 
@@ -207,7 +212,8 @@ def _batch(
         true_edges = np.unique(_edge_names(names[len(positions) :].reshape(-1, 2), total))
         corners = names[: len(positions)].reshape(-1, 3)
         sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
-        boundary = np.isin(_edge_names(sides, total), true_edges)
+        named = _edge_names(sides, total)
+        boundary = np.isin(named, true_edges) & ~_inside_a_face(named, triangles)
     return PolygonBatch(
         positions,
         np.arange(3 * count, dtype=np.int32),
@@ -215,6 +221,22 @@ def _batch(
         boundary,
         key,
     )
+
+
+def _inside_a_face(named: NDArray[np.int64], triangles: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Sides (3T,) between two coplanar triangles: the library cut a flat face into them."""
+    t = triangles.astype(np.float64)
+    normals = np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    order = np.argsort(named, kind="stable")
+    first, second = order[:-1], order[1:]
+    same = named[first] == named[second]
+    flat = (normals[first // 3] * normals[second // 3]).sum(axis=1) > 1.0 - 1e-9
+    inside = np.zeros(len(named), np.bool_)
+    inside[first[same & flat]] = True
+    inside[second[same & flat]] = True
+    return inside
 
 
 def _edge_names(pairs: NDArray[Any], total: int) -> NDArray[np.int64]:

@@ -2,14 +2,14 @@
 
 A list is kept as the stream that was recorded while it was open. When it is called, nested lists
 and matrix calls are resolved into polygons in the caller's object space; that is kept until a list
-is redefined. A list that holds anything that C code drew is *opaque*: its polygons come from
-feedback mode at its first call.
+is redefined. Shapes that C code drew into it are asked for again then, through feedback mode (on
+the function, not on the list: Mesa 22.3 crashes when some lists are called in feedback mode).
 """
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,6 +22,7 @@ from .immediate import assemble_many, concatenate, transformed
 
 _DEPTH_TEST, _MODELVIEW = 0x0B71, 0x1700
 _FILL = 0x1B02
+_NESTING = 64
 _ID_TYPES = {
     0x1400: np.int8, 0x1401: np.uint8, 0x1402: np.int16, 0x1403: np.uint16, 0x1404: np.int32,
     0x1405: np.uint32, 0x1406: np.float32,
@@ -58,7 +59,37 @@ class Change:
         return cls(name, args)
 
 
-Item = Primitive | Call | Change | PolygonBatch
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """Something that C code drew; `draw` draws it again."""
+
+    key: Hashable | None
+    draw: Callable[[], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Bare:
+    """Vertices outside any glBegin of this list: legal when it is called inside one."""
+
+    stream: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """A primitive that the list begins and leaves open."""
+
+    mode: int
+    stream: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Closing:
+    """glEnd of a primitive that the list did not begin."""
+
+
+Item = Primitive | Call | Change | Shape | Bare | Opening | Closing | PolygonBatch
+ShapePolygons = Callable[[Hashable | None, Callable[[], Any]], PolygonBatch | None]
+"""Polygons of a shape by its key, found again or drawn in feedback mode."""
 
 
 @dataclass(slots=True)
@@ -66,12 +97,6 @@ class Program:
     """What one list holds."""
 
     items: list[Item] = field(default_factory=list)
-    opaque: bool = False
-    """Holds something whose polygons only feedback mode can tell."""
-    begins: bool = False
-    """Ends inside a primitive that it began."""
-    ends: bool = False
-    """Ends a primitive that it did not begin."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,9 +107,6 @@ class ListPolygons:
     """In the caller's object space."""
     absolute: tuple[tuple[PolygonBatch, NDArray[np.float64]], ...] = ()
     """Under a modelview matrix that the list loads by itself."""
-
-
-_NOTHING = ListPolygons(None)
 
 
 class ListBook:
@@ -119,13 +141,28 @@ class ListBook:
         if name not in self._programs:
             self._resolved.clear()
 
-    def begins(self, name: int) -> bool:
-        """Whether the list leaves a primitive open."""
-        return name in self._programs and self._programs[name].begins
+    def items(self, name: int, depth: int = 0) -> Iterator[Item]:
+        """What the list says, nested lists included."""
+        program = self._programs.get(name)
+        if program is None or depth > _NESTING:
+            return
+        for item in program.items:
+            if isinstance(item, Call):
+                for called in item.names:
+                    yield from self.items(called, depth + 1)
+            else:
+                yield item
 
-    def ends(self, name: int) -> bool:
-        """Whether the list ends a primitive that another began."""
-        return name in self._programs and self._programs[name].ends
+    def leaves_open(self, name: int) -> bool:
+        """Whether calling the list ends inside a primitive that it began."""
+        found = False
+        for item in self.items(name):
+            found = isinstance(item, Opening) or (found and not isinstance(item, Closing))
+        return found
+
+    def knows(self, name: int) -> bool:
+        """Whether the list was seen being compiled."""
+        return name in self._programs
 
     def forget(self, first: int, count: int) -> None:
         """glDeleteLists."""
@@ -138,34 +175,20 @@ class ListBook:
         self._resolved.clear()
 
     def polygons(
-        self,
-        name: int,
-        matrix_mode: int,
-        feedback: Callable[[int], PolygonBatch | None],
-        context: int,
+        self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
-        """What calling this list draws, with keys so that caches find it again.
-
-        ``feedback`` gives the polygons of a list that is opaque, or was compiled unseen.
-        """
+        """What calling this list draws, with keys so that caches find it again."""
         at = (name, matrix_mode)
         if at not in self._resolved:
-            self._resolved[at] = self._resolve(name, matrix_mode, feedback, context)
+            self._resolved[at] = self._resolve(name, matrix_mode, shapes, context)
         return self._resolved[at]
 
     def _resolve(
-        self,
-        name: int,
-        matrix_mode: int,
-        feedback: Callable[[int], PolygonBatch | None],
-        context: int,
+        self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         key = ("list", context, name, object())
-        if self._is_opaque(name, 0):
-            found = feedback(name)
-            return ListPolygons(concatenate([found], key)) if found is not None else _NOTHING
-        walk = _Walk(self._programs, matrix_mode)
-        walk.run(name, 0)
+        walk = _Walk(matrix_mode, shapes)
+        walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]
         absolute = tuple(
             (concatenate([b], (*key, i)), m)
@@ -176,22 +199,13 @@ class ListBook:
             return ListPolygons(None, absolute)
         return ListPolygons(concatenate(relative, key), absolute)
 
-    def _is_opaque(self, name: int, depth: int) -> bool:
-        program = self._programs.get(name)
-        if program is None or depth > 64:
-            return depth == 0  # compiled before us, or by C code
-        if program.opaque:
-            return True
-        called = (n for item in program.items if isinstance(item, Call) for n in item.names)
-        return any(n in self._programs and self._is_opaque(n, depth + 1) for n in called)
-
 
 class _Walk:
     """Runs a list as the driver would, following matrices and the switches that matter."""
 
-    def __init__(self, programs: dict[int, Program], matrix_mode: int) -> None:
+    def __init__(self, matrix_mode: int, shapes: ShapePolygons) -> None:
         self.found: list[tuple[PolygonBatch, NDArray[np.float64], bool]] = []
-        self._programs = programs
+        self._shapes = shapes
         self._mode = matrix_mode
         self._matrix = np.eye(4)
         self._loaded = False
@@ -200,24 +214,21 @@ class _Walk:
         self._attributes: list[dict[str, bool]] = []
         self._pending: list[tuple[int, bytes]] = []
 
-    def run(self, name: int, depth: int) -> None:
-        program = self._programs.get(name)
-        if program is None or depth > 64:
-            return
-        for item in program.items:
+    def run(self, items: Iterable[Item]) -> None:
+        for item in items:
             if isinstance(item, Primitive):
                 self._pending.append((item.mode, item.stream))
-            elif isinstance(item, Call):
-                for called in item.names:
-                    self.run(called, depth + 1)
-            elif isinstance(item, PolygonBatch):
-                self._emit()
-                self._take(item)
-            else:
-                self._emit()
-                self._change(item)
-        if depth == 0:
+                continue
             self._emit()
+            if isinstance(item, PolygonBatch):
+                self._take(item)
+            elif isinstance(item, Change):
+                self._change(item)
+            elif isinstance(item, Shape):
+                batch = self._shapes(item.key, item.draw)
+                if batch is not None:
+                    self._take(batch)
+        self._emit()
 
     def _emit(self) -> None:
         if self._pending:

@@ -13,8 +13,13 @@ from .imports import after_import
 from .raw import hook_function, original_call
 from .recorder import RECORDER
 
+_QUADRIC_COUNTS = {
+    "gluSphere": (1, 2), "gluCylinder": (3, 4), "gluDisk": (2, 3), "gluPartialDisk": (2, 3),
+}  # fmt: skip
+"""Which arguments after the quadric are integers."""
 _LINE_STYLES = (100010, 100011, 100013)
 """GLU_POINT, GLU_LINE, GLU_SILHOUETTE: no polygons."""
+_OUTSIDE = 100020
 _AUTO_LOAD_MATRIX = 100200
 
 
@@ -104,8 +109,9 @@ class CLibraries:
             settings = self._settings.get(_address(args[0]), {})
             if settings.get("gluQuadricDrawStyle") in _LINE_STYLES:
                 return None, None, False
-            turn = settings.get("gluQuadricOrientation", 0)
-            return (name, turn, _scalars(args[1:])), lambda: call(*args), False
+            turn = settings.get("gluQuadricOrientation", _OUTSIDE)
+            scalars = _scalars(args[1:])
+            return (name, turn, scalars), lambda: _quadric(name, turn, scalars), False
         if role is ShapeRole.EXTRUSION:
             return _content(name, args), lambda: call(*args), False
         return (name, _scalars(args)), lambda: call(*args), False
@@ -123,6 +129,22 @@ class CLibraries:
                 self._surface = []
             self._surface.append((call, args))
         return call(*args)
+
+
+def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
+    """The same shape from a quadric of our own: the app may have deleted its."""
+    from OpenGL.platform import PLATFORM
+
+    library = PLATFORM.GLU
+    library.gluNewQuadric.restype = ctypes.c_void_p
+    quadric = ctypes.c_void_p(library.gluNewQuadric())
+    library.gluQuadricOrientation(quadric, ctypes.c_uint(orientation))
+    counts = _QUADRIC_COUNTS[name]
+    arguments = [
+        ctypes.c_int(int(v)) if i in counts else ctypes.c_double(v) for i, v in enumerate(scalars)
+    ]
+    getattr(library, name)(quadric, *arguments)
+    library.gluDeleteQuadric(quadric)
 
 
 def _scalars(args: tuple[Any, ...]) -> tuple[float, ...]:

@@ -34,8 +34,14 @@ class PrimitiveSink(Protocol):
     def end(self, mode: int, stream: bytes) -> None:
         """After the driver has drawn it (or a list has taken it)."""
 
+    def bare(self, stream: bytes) -> None:
+        """Vertices that a list being compiled has outside any primitive (often none)."""
+
     def stray_end(self) -> None:
         """A list being compiled has a glEnd without its glBegin."""
+
+    def unfinished(self, mode: int, stream: bytes) -> None:
+        """A list ends inside the primitive that it began."""
 
 
 class Recorder:
@@ -53,8 +59,14 @@ class Recorder:
         """Whether a recorded glBegin is open."""
         self.position: Callable[[], int] = lambda: 0
         """Bytes recorded so far of the open primitive."""
-        self.abandon: Callable[[], bytes | None] = lambda: None
-        """The list that held glBegin ends without glEnd: send what is recorded and stop."""
+        self.open_list: Callable[[bool], None] = lambda capturing: None
+        """A display list begins; when capturing, vertices outside glBegin are recorded too."""
+        self.close_list: Callable[[], None] = lambda: None
+        """It ends: what is recorded goes into it, also of a primitive that it leaves open."""
+        self.resume: Callable[[int, bytes], None] = lambda mode, records: None
+        """A list that was called left a primitive open, with these records in it."""
+        self.finish: Callable[[], tuple[int, bytes] | None] = lambda: None
+        """A list that was called has closed the primitive: its mode and records."""
 
     def install(self) -> None:
         """Hook glBegin, glEnd and every recorded attribute."""
@@ -83,7 +95,8 @@ class Recorder:
         They are closures over shared cells: the fastest state that pure Python offers.
         """
         deferred = False  # inside a primitive whose vertices are held back
-        shadow = False  # inside a primitive that goes straight through
+        shadow = False  # what goes straight through is recorded as well
+        bare = False  # inside a display list, outside any primitive of it
         mode = 0
         stream = BytesIO()
         write: Callable[[bytes], int] = stream.write
@@ -98,21 +111,58 @@ class Recorder:
             if shadow:
                 write(records)
 
-        def abandon() -> bytes | None:
-            nonlocal shadow
-            if not deferred and not shadow:
+        def open_list(capturing: bool) -> None:
+            nonlocal bare, shadow
+            spill()
+            self.list_open = True
+            if capturing and not shadow:
+                restart()
+                bare = shadow = True
+
+        def close_list() -> None:
+            nonlocal bare, shadow
+            spill()
+            if self.sink is not None and shadow:
+                if bare:
+                    self.sink.bare(stream.getvalue())
+                else:
+                    self.sink.unfinished(mode, stream.getvalue())
+            bare = shadow = False
+            self.list_open = False
+
+        def restart() -> None:
+            nonlocal stream, write
+            stream = BytesIO()
+            write = stream.write
+
+        def resume(new_mode: int, records: bytes) -> None:
+            nonlocal shadow, mode
+            restart()
+            write(records)
+            mode = new_mode
+            shadow = True
+
+        def finish() -> tuple[int, bytes] | None:
+            nonlocal shadow, deferred
+            if not shadow and not deferred:
                 return None
             spill()
             shadow = False
-            return stream.getvalue()
+            return mode, stream.getvalue()
 
-        self.spill, self.extend, self.abandon = spill, extend, abandon
+        self.spill, self.extend = spill, extend
+        self.open_list, self.close_list = open_list, close_list
+        self.resume, self.finish = resume, finish
         self.position = lambda: stream.tell()
-        self.inside = lambda: deferred or shadow
+        self.inside = lambda: (deferred or shadow) and not bare
 
         def make_begin(real: Call) -> Call:
             def begin(new_mode: Any = _MISSING, *more: Any) -> Any:
-                nonlocal deferred, mode, stream, write
+                nonlocal deferred, mode, stream, write, shadow, bare
+                if bare:
+                    if self.sink is not None:
+                        self.sink.bare(stream.getvalue())
+                    bare = shadow = False
                 if deferred or shadow or not isinstance(new_mode, int) or not 0 <= new_mode <= 9:
                     return real(new_mode, *more) if new_mode is not _MISSING else real()
                 if self.sink is not None:
@@ -129,11 +179,16 @@ class Recorder:
         def make_end(real: Call) -> Call:
             def end(*args: Any) -> Any:
                 nonlocal deferred, shadow
+                nonlocal bare
                 if not deferred and not shadow:
-                    if self.list_open and self.sink is not None:
-                        self.sink.stray_end()
                     return real(*args)
                 records = stream.getvalue()
+                if bare:
+                    if self.sink is not None:
+                        self.sink.bare(records)
+                        self.sink.stray_end()
+                    restart()
+                    return real(*args)
                 held, deferred, shadow = deferred, False, False
                 try:
                     if held and not self.list_open and forward.worthwhile(records):
@@ -148,6 +203,9 @@ class Recorder:
                 finally:
                     if self.sink is not None:
                         self.sink.end(mode, records)
+                        if self.list_open:
+                            restart()
+                            bare = shadow = True
 
             return end
 

@@ -39,9 +39,6 @@ class Watcher(PrimitiveSink, Protocol):
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
         """After an IN_PRIMITIVE or list call inside a primitive; ``call`` would say it again."""
 
-    def unfinished(self, stream: bytes) -> None:
-        """A list ends inside the primitive that it began."""
-
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish, which ``call`` makes."""
 
@@ -110,7 +107,7 @@ class Watch:
 
             def hook(*args: Any) -> Any:
                 if closes:
-                    RECORDER.abandon()
+                    RECORDER.close_list()
                 if inside():
                     spill()
                     result = real(*args)
@@ -119,9 +116,7 @@ class Watch:
                 else:
                     result = real(*args)
                 if opens:
-                    RECORDER.list_open = True
-                elif closes:
-                    RECORDER.list_open = False
+                    RECORDER.open_list(False)
                 return result
 
             return hook
@@ -158,21 +153,18 @@ class Watch:
         def maker(real: Call) -> Call:
             def hook(*args: Any) -> Any:
                 watcher = self._watcher
-                opening = role is Role.LIST_OPEN
-                unfinished = None
-                if opening:
-                    RECORDER.spill()
-                else:
-                    unfinished = RECORDER.abandon()
-                if watcher is not None and unfinished is not None:
-                    watcher.unfinished(unfinished)
-                if watcher is not None and not opening:
-                    watcher.before(role, name, args)
+                if role is Role.LIST_CLOSE:
+                    RECORDER.close_list()
+                    self._follow_lists(False)
+                    if watcher is not None:
+                        watcher.before(role, name, args)
+                    return real(*args)
+                RECORDER.spill()
                 result = real(*args)
-                RECORDER.list_open = opening
-                self._follow_lists(opening)
-                if watcher is not None and opening:
+                if watcher is not None:
                     watcher.after(role, name, args)
+                self._follow_lists(True)
+                RECORDER.open_list(watcher is not None)
                 return result
 
             return hook
