@@ -153,7 +153,7 @@ def _pygame_present(module: ModuleType, plain: Callable[..., None]) -> Callable[
     @functools.wraps(plain)
     def flip(*arguments: Any, **named: Any) -> None:
         shown = module.get_surface()
-        if shown is None or not shown.get_flags() & _PYGAME_OPENGL:
+        if shown is None or shown.get_flags() & (_OPENGL | _PREALLOC) != _OPENGL:
             plain(*arguments, **named)
         else:
             frames.present(plain, *arguments, on=surface, named=named)
@@ -161,7 +161,9 @@ def _pygame_present(module: ModuleType, plain: Callable[..., None]) -> Callable[
     return flip
 
 
-_PYGAME_OPENGL = 0x2
+# pygame.OPENGL and pygame.PREALLOC: SDL shows a window without OpenGL by way of GL of its own, with
+# the first flag too, but keeps that window's pixels itself.
+_OPENGL, _PREALLOC = 0x2, 0x1000000
 
 
 TOOLKITS = (

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
 _VIEWPORT, _VERSION, _DOUBLEBUFFER = 0x0BA2, 0x1F02, 0x0C32
-_READ_FRAMEBUFFER, _READ_FRAMEBUFFER_BINDING = 0x8CA8, 0x8CAA
+_FRAMEBUFFERS = ((0x8CA8, 0x8CAA), (0x8CA9, 0x8CA6))  # read, draw: target and binding
 _PIXEL_PACK_BUFFER, _PIXEL_PACK_BUFFER_BINDING = 0x88EB, 0x88ED
 _READ_BUFFER, _FRONT, _BACK = 0x0C02, 0x0404, 0x0405
 _RGB, _UNSIGNED_BYTE = 0x1907, 0x1401
@@ -99,8 +99,9 @@ def _plain_reading() -> Iterator[None]:
 
     version = _version()
     if version >= (3, 0):
-        bound = _integer(_READ_FRAMEBUFFER_BINDING)
-        change(gl.glBindFramebuffer, _READ_FRAMEBUFFER, 0, back_to=bound)
+        # The draw binding too: GL_DOUBLEBUFFER tells about that one.
+        for target, binding in _FRAMEBUFFERS:
+            change(gl.glBindFramebuffer, target, 0, back_to=_integer(binding))
     if version >= (2, 1):
         bound = _integer(_PIXEL_PACK_BUFFER_BINDING)
         change(gl.glBindBuffer, _PIXEL_PACK_BUFFER, 0, back_to=bound)
