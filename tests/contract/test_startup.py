@@ -1,0 +1,213 @@
+"""The way in: what ships, what it costs, and that an import watched is an import unchanged."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import venv
+import zipfile
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+from glshim import launch
+from glshim.capture import imports
+
+ROOT = Path(__file__).parents[2]
+LOADED = "import sys; print(*sorted(m for m in sys.modules if m.startswith(('glshim', '_glshim'))))"
+
+
+def loaded(code: str, **variables: str) -> list[str]:
+    """What of glshim a program has imported at its end."""
+    done = subprocess.run(
+        [sys.executable, "-c", f"{code}\n{LOADED}"], env={**os.environ, **variables},
+        capture_output=True, text=True, timeout=60, check=True,
+    )  # fmt: skip
+    return done.stdout.split()
+
+
+def test_with_no_variable_nothing_is_imported() -> None:
+    assert loaded("pass") == []
+    assert loaded("import OpenGL.GL") == []
+
+
+def test_a_program_without_pyopengl_gets_the_watch_alone() -> None:
+    expected = ["_glshim_start", "glshim", "glshim.capture", "glshim.capture.imports"]
+    assert loaded("pass", GLSHIM_STYLE="raskar") == [*expected, "glshim.capture.startup"]
+    assert "numpy" not in loaded("import json", GLSHIM_STYLE="raskar")
+
+
+def test_importing_the_package_is_cheap() -> None:
+    assert loaded("import glshim") == ["glshim"]
+
+
+def test_every_public_name_is_there() -> None:
+    import glshim
+
+    for name in glshim.__all__:
+        assert getattr(glshim, name) is not None
+    assert set(glshim.__all__) <= set(dir(glshim))
+    with pytest.raises(AttributeError, match="nonsense"):
+        _ = glshim.nonsense
+
+
+@pytest.mark.parametrize("module", ["OpenGL.GL", "OpenGL.GLUT", "OpenGL.raw.GL.VERSION.GL_1_1"])
+def test_a_style_comes_with_pyopengl(module: str) -> None:
+    assert "glshim.pipeline" in loaded(f"import {module}", GLSHIM_STYLE="raskar")
+
+
+def test_flags_that_the_app_sets_before_gl_still_count() -> None:
+    code = (
+        "import OpenGL; OpenGL.ERROR_CHECKING = False\n"
+        "from OpenGL import GL, _configflags; assert not _configflags.ERROR_CHECKING"
+    )
+    assert "glshim.pipeline" in loaded(code, GLSHIM_STYLE="none")
+
+
+def test_a_style_that_is_wrong_is_said_once_and_the_app_runs_plain() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", f"import OpenGL.GL, OpenGL.GLU\n{LOADED}"],
+        env={**os.environ, "GLSHIM_STYLE": "rasker"}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0
+    assert done.stderr.count("\n") == 1
+    assert "GLSHIM_STYLE: no style is called 'rasker': did you mean raskar?" in done.stderr
+    assert "glshim.pipeline" not in done.stdout.split()
+
+
+def test_the_interpreter_of_the_tests_reads_the_startup_file() -> None:
+    assert launch.startup_file() is not None
+
+
+def test_the_startup_files_hold_what_python_asks_of_them() -> None:
+    lines = (ROOT / "glshim.pth").read_text(encoding="utf-8").splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith("import ")
+    module, _, function = (ROOT / "glshim.start").read_text(encoding="utf-8").strip().partition(":")
+    assert callable(getattr(import_module(module), function))
+
+
+@pytest.fixture(scope="module")
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of a copy of the sources, and the editable one, as pip builds them."""
+    folder = tmp_path_factory.mktemp("wheels")
+    source = folder / "source"
+    ignored = shutil.ignore_patterns(".git", ".venv", "build", "out", "*.egg-info", ".*_cache")
+    shutil.copytree(ROOT, source, ignore=ignored)
+    build = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w"]
+    subprocess.run([*build, str(folder), str(source)], check=True)
+    code = (
+        "import sys; sys.path.insert(0, 'scripts'); import build_backend; "
+        "build_backend.build_editable(sys.argv[1])"
+    )
+    (folder / "editable").mkdir()
+    # pip has no command that only builds an editable wheel; this hook is what it calls.
+    hook = [sys.executable, "-c", code, str(folder / "editable")]
+    subprocess.run(hook, cwd=source, check=True, capture_output=True)
+    return folder
+
+
+def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path) -> None:
+    (wheel,) = wheels.glob("*.whl")
+    venv.create(tmp_path / "venv", with_pip=False)
+    python = tmp_path / "venv" / "bin" / "python"
+    asked = [str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
+    site_packages = subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+        archive.extractall(site_packages)
+        (record,) = (name for name in names if name.endswith("RECORD"))
+        listed = {line.split(",")[0] for line in archive.read(record).decode().splitlines()}
+    assert listed == names
+    assert {"glshim.pth", "glshim.start", "_glshim_start.py", "glshim/py.typed"} <= names
+    assert any(name.endswith(".glsl") for name in names)
+    assert not any(name.startswith("tests") for name in names)
+    for variables, expected in (({}, False), ({"GLSHIM_STYLE": "raskar"}, True)):
+        done = subprocess.run(
+            [python, "-I", "-c", LOADED], env={"PATH": os.environ["PATH"], **variables},
+            capture_output=True, text=True, check=True,
+        )  # fmt: skip
+        assert ("glshim.capture.startup" in done.stdout.split()) == expected
+        assert done.stderr == ""
+
+
+def test_an_editable_wheel_carries_the_startup_files_too(wheels: Path) -> None:
+    (wheel,) = (wheels / "editable").glob("*.whl")
+    assert {"glshim.pth", "glshim.start"} <= set(zipfile.ZipFile(wheel).namelist())
+
+
+@pytest.fixture
+def package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A folder on sys.path for modules of a test."""
+    monkeypatch.syspath_prepend(str(tmp_path))
+    before = set(sys.modules)
+    yield tmp_path
+    for name in set(sys.modules) - before:
+        del sys.modules[name]
+
+
+def test_an_action_runs_before_the_importer_sees_a_name(package: Path) -> None:
+    (package / "watched_a.py").write_text("def shown(): return 'plain'")
+    (package / "user_a.py").write_text("from watched_a import shown")
+
+    def action(module: object) -> None:
+        module.shown = lambda: "hooked"  # type: ignore[attr-defined]
+
+    imports.after_import("watched_a", action)
+    assert import_module("user_a").shown() == "hooked"
+
+
+def test_the_loader_stays_the_modules_own(package: Path) -> None:
+    (package / "watched_b.py").write_text("value = 1")
+    imports.after_import("watched_b", lambda module: None)
+    module = import_module("watched_b")
+    assert type(module.__loader__).__name__ == "SourceFileLoader"
+    assert "exec_module" not in vars(module.__loader__)
+    assert module.__spec__ is not None
+    assert module.__spec__.loader is module.__loader__
+
+
+def test_a_module_that_is_there_already_is_acted_on_now() -> None:
+    seen: list[object] = []
+    imports.after_import("json", seen.append)
+    assert seen == [json]
+
+
+def test_an_action_waits_for_an_import_under_way(package: Path) -> None:
+    (package / "watched_c.py").write_text(
+        "from glshim.capture import imports\n"
+        "seen = []\n"
+        "imports.after_import('watched_c', lambda module: seen.append(module.end))\n"
+        "end = 'reached'\n"
+    )
+    assert import_module("watched_c").seen == ["reached"]
+
+
+def test_a_failing_import_fails_as_before_and_can_be_tried_again(package: Path) -> None:
+    path = package / "watched_d.py"
+    path.write_text("raise RuntimeError('first')")
+    seen: list[object] = []
+    imports.after_import("watched_d", seen.append)
+    with pytest.raises(RuntimeError, match="first"):
+        import_module("watched_d")
+    path.write_text("value = 'a second version'")
+    assert import_module("watched_d").value == "a second version"
+    assert len(seen) == 1
+
+
+def test_an_action_that_raises_breaks_no_import(
+    package: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (package / "watched_e.py").write_text("value = 1")
+
+    def action(module: object) -> None:
+        raise RuntimeError("in an action")
+
+    imports.after_import("watched_e", action)
+    assert import_module("watched_e").value == 1
+    assert "in an action" in capsys.readouterr().err
