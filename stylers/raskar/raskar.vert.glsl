@@ -12,7 +12,7 @@ uniform vec2 ridge_turn;        // cosine and sine of the threshold angle
 
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
-const float INSET = 0.5;        // pixels by which silhouettes reach under their own polygon
+const float INSET = 1.0 / 32.0; // pixels by which a ring reaches under its object, for no cracks
 const float SNAP = 1.0 / 256.0;  // pixels, against what rasterisation rounds away
 const float EDGE_ON = 0.02;     // ridge quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;    // cosine between a fin and the line of sight
@@ -68,8 +68,7 @@ void main() {
     int corner = gl_VertexID;
     bool under = corner == 1 || corner == 3;
     if (corner < 4) {
-        offset = under ? (ridge ? 0.0 : -INSET) * out_1 : reached * out_1;
-        if (under) slope = depth_slope(normal, eye_a.xyz);
+        offset = under ? (kind == RING ? -INSET : 0.0) * out_1 : reached * out_1;
         reach = vec2(0.0, dot(offset, out_1) / reached);
     } else {
         if (far_b.z < -far_b.w) return;

@@ -50,10 +50,16 @@ def test_no_stray_ink_and_none_missing(backend, teapot, name, width):
         seen = oracle.visible(points, depth, slack=2e-5, reach=2)
         stray = changed & ~oracle.near(points[seen], changed.shape, width + 1.5)
         assert not stray.any(), f"view {k}: stray pixels {np.argwhere(stray)[:8].tolist()}"
-        points, _ = oracle.samples(np.concatenate([true.outlines, true.ridges]))
-        clear = oracle.visible(points, depth, slack=-1e-6, reach=0) & _between(points)
-        missing = ~_inked(changed, points[clear])
-        assert missing.mean() < 0.02, f"view {k}: {missing.mean():.3f} of the lines missing"
+        expected = []
+        for segments, gap in ((true.outlines, 5e-6), (true.ridges, -1.0)):
+            points, _ = oracle.samples(segments)
+            clear = oracle.visible(points, depth, slack=-1e-6, reach=0) & _between(points)
+            clear &= oracle.visible(points, depth, slack=-gap, reach=1)  # room for ink beside
+            expected.append(points[clear])
+        missing = ~_inked(changed, np.concatenate(expected))
+        # The knob of the teapot has flaps thinner than a pixel that count as contours.
+        allowed = 0.03 if name == "teapot" else 0.003
+        assert missing.mean() < allowed, f"view {k}: {missing.mean():.3f} of the lines missing"
 
 
 def _between(points):
@@ -68,7 +74,7 @@ def _inked(changed, points):
 
 
 @pytest.mark.parametrize("width", [1.0, 3.0, 8.0, 20.0])
-@pytest.mark.parametrize("distance", [3.2, 12.0])
+@pytest.mark.parametrize("distance", [3.5, 40.0])
 @pytest.mark.parametrize("parallel", [False, True])
 def test_width_along_the_whole_length(backend, width, distance, parallel):
     """Silhouettes and ridges of a cube, measured across by counting ink along the normal."""
@@ -76,7 +82,8 @@ def test_width_along_the_whole_length(backend, width, distance, parallel):
     style = Raskar(silhouette_width=width, ridge_width=width)
     measured = 0
     for direction in look.directions(6):
-        projection = look.orthographic(distance * 0.36) if parallel else look.perspective()
+        fov = 2 * np.degrees(np.arctan(1.6 / distance))
+        projection = look.orthographic(1.6) if parallel else look.perspective(fov)
         camera = Camera(look.look_at(distance * direction), projection, (0, 0, SIZE, SIZE))
         before, after, depth = look.styled(backend, style, (mesh, camera))
         changed = (before != after).any(axis=2)
@@ -87,7 +94,7 @@ def test_width_along_the_whole_length(backend, width, distance, parallel):
                 widths = _widths(changed, segment, others, width, centred, depth)
                 measured += len(widths)
                 assert (np.abs(widths - width) <= 0.75).all(), (segment, widths)
-    assert measured > 40
+    assert measured > 20
 
 
 def _widths(changed, segment, others, width, centred, depth):
@@ -106,7 +113,7 @@ def _widths(changed, segment, others, width, centred, depth):
         if not ((middle > width + 12) & (middle < SIZE - width - 12)).all():
             continue
         clearance = np.hypot(*(points[:, :2] - middle).T).min()
-        if clearance < 2 * width + span + 3:
+        if clearance < 2 * width + span / 2 + 5:
             continue
         u = start + np.arange(fine / 2, span, fine)
         v = np.arange(-width - 4, width + 4, fine) + fine / 2
