@@ -34,7 +34,8 @@ SCENES = (
     "2,000 matrix calls, 500 glCallList",
     "glCallLists of 500 lists",
 )
-REMEMBERED = ("immediate, 7k vertices", "display list, 10k polygons", "churn")
+REMEMBERED = ("immediate, 7k vertices", "display list, 10k polygons", "fresh lists",
+              "fresh buffers", "fresh shapes in C")
 
 
 def target(scene: str, mode: str) -> float | None:

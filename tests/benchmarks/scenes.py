@@ -173,33 +173,37 @@ def call_lists(count: int) -> Draw:
     return lambda _frame: glCallLists(names)
 
 
-def churn(vertices: int) -> Draw:
-    """Everything that could be kept for ever: lists, buffers and quadrics made anew each frame."""
+def fresh_lists(frame: int) -> None:
+    """A list made, called and deleted, another shape in each frame."""
+    name = glGenLists(1)
+    glNewList(name, GL_COMPILE)
+    glBegin(GL_QUADS)
+    for nx, ny, nz, x, y, z in calls(sphere(100, 0.1 * np.sin(frame))):
+        glNormal3f(nx, ny, nz)
+        glVertex3f(x, y, z)
+    glEnd()
+    glEndList()
+    glCallList(name)
+    glDeleteLists(name, 1)
 
-    def draw(frame: int) -> None:
-        mesh = sphere(vertices // 4, 0.1 * np.sin(frame))
-        name = glGenLists(1)
-        glNewList(name, GL_COMPILE)
-        glBegin(GL_QUADS)
-        for nx, ny, nz, x, y, z in calls(mesh):
-            glNormal3f(nx, ny, nz)
-            glVertex3f(x, y, z)
-        glEnd()
-        glEndList()
-        glCallList(name)
-        glDeleteLists(name, 1)
-        store = vbo.VBO(np.ascontiguousarray(mesh.reshape(-1, 6)))
-        with store:
-            glEnableClientState(GL_VERTEX_ARRAY)
-            glVertexPointer(3, GL_FLOAT, 24, store + 12)
-            glDrawArrays(GL_QUADS, 0, 4 * len(mesh))
-            glDisableClientState(GL_VERTEX_ARRAY)
-        store.delete()
-        quadric = gluNewQuadric()
-        gluSphere(quadric, 0.5 + 1e-4 * frame, 12, 8)  # a size never seen before
-        gluDeleteQuadric(quadric)
 
-    return draw
+def fresh_buffers(frame: int) -> None:
+    """A buffer made, drawn and deleted, another shape in each frame."""
+    mesh = np.ascontiguousarray(sphere(100, 0.1 * np.sin(frame)).reshape(-1, 6))
+    store = vbo.VBO(mesh)
+    with store:
+        glEnableClientState(GL_VERTEX_ARRAY)
+        glVertexPointer(3, GL_FLOAT, 24, store + 12)
+        glDrawArrays(GL_QUADS, 0, len(mesh))
+        glDisableClientState(GL_VERTEX_ARRAY)
+    store.delete()
+
+
+def fresh_shapes(frame: int) -> None:
+    """A sphere drawn in C, of a size never seen before."""
+    quadric = gluNewQuadric()
+    gluSphere(quadric, 0.5 + 1e-4 * frame, 12, 8)
+    gluDeleteQuadric(quadric)
 
 
 SCENES: dict[str, Callable[[], Draw]] = {
@@ -213,7 +217,9 @@ SCENES: dict[str, Callable[[], Draw]] = {
     "buffer object, 100k polygons": lambda: buffer(100_000),
     "2,000 matrix calls, 500 glCallList": lambda: matrices(2_000),
     "glCallLists of 500 lists": lambda: call_lists(500),
-    "churn": lambda: churn(400),
+    "fresh lists": lambda: fresh_lists,
+    "fresh buffers": lambda: fresh_buffers,
+    "fresh shapes in C": lambda: fresh_shapes,
 }
 
 

@@ -11,7 +11,8 @@ SLACK = 3 * 2**20  # bytes that may come and go; 200 frames that leak a mesh lea
 
 
 @pytest.mark.parametrize("mode", ["none", "raskar"])
-@pytest.mark.parametrize("scene", ["immediate, 7k vertices", "churn"])
+@pytest.mark.parametrize("scene", ["immediate, 7k vertices", "fresh lists",
+                                   "fresh buffers", "fresh shapes in C"])
 def test_memory_stays_flat(scene: str, mode: str) -> None:
     try:
         with virtual_screen() as display:
