@@ -6,8 +6,9 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
+import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -92,29 +93,31 @@ def cylinder(n=24, radius=0.7, half=1.0) -> PolygonBatch:
 
 
 def teapot() -> PolygonBatch:
-    """GLUT's own teapot through feedback mode, wound as GLUT sends it."""
+    """GLUT's own teapot through feedback mode, wound as GLUT sends it (clockwise)."""
+    # In a process of its own: GLUT and glfw in one process disagree about the end of it.
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "teapot.npy"
+        subprocess.run([sys.executable, "-m", "tests.look", "--teapot", str(path)], check=True)
+        triangles = np.load(path)
+    return batch(triangles.reshape(-1, 3), np.arange(len(triangles) * 3).reshape(-1, 3))
+
+
+def _capture_teapot(path: str) -> None:
     from OpenGL import GLUT
 
     GLUT.glutInit(["teapot"])
     GLUT.glutInitDisplayMode(GLUT.GLUT_RGB | GLUT.GLUT_DEPTH)
-    window = GLUT.glutCreateWindow(b"teapot")
+    GLUT.glutCreateWindow(b"teapot")
     GL.glViewport(0, 0, 4096, 4096)
     GL.glMatrixMode(GL.GL_PROJECTION)
     GL.glLoadIdentity()
     GL.glOrtho(-2, 2, -2, 2, 2, -2)
-    GL.glMatrixMode(GL.GL_MODELVIEW)
-    GL.glLoadIdentity()
     GL.glFeedbackBuffer(1 << 20, GL.GL_3D)
     GL.glRenderMode(GL.GL_FEEDBACK)
     GLUT.glutSolidTeapot(1.0)
     tokens = GL.glRenderMode(GL.GL_RENDER)
-    GLUT.glutDestroyWindow(window)
-    points, faces = [], []
-    for _, *corners in tokens:
-        p = np.array([list(corner.vertex)[:3] for corner in corners])
-        faces.append(list(range(len(points), len(points) + len(p))))
-        points += [(x / 1024 - 2, y / 1024 - 2, z * 4 - 2) for x, y, z in p]
-    return batch(points, faces)
+    window = np.array([[list(corner.vertex)[:3] for corner in token[1:]] for token in tokens])
+    np.save(path, window * (1 / 1024, 1 / 1024, 4) - 2)
 
 
 def perspective(fov=40.0, aspect=1.0, near=0.1, far=50.0) -> np.ndarray:
@@ -175,6 +178,7 @@ def window(width=400, height=400, samples=0) -> Iterator[None]:
         yield
     finally:
         glfw.destroy_window(handle)
+        glfw.terminate()
 
 
 def clear(shade=(1.0, 1.0, 1.0)) -> None:
@@ -238,7 +242,7 @@ def main(folder: str, width: float) -> None:
 
     out = Path(folder)
     out.mkdir(parents=True, exist_ok=True)
-    pot = teapot(); print(pot.polygon_count)
+    pot = teapot()
     with window():
         backend = Backend.attach()
         for name, make in {**MESHES, "teapot": lambda: pot}.items():
@@ -248,12 +252,12 @@ def main(folder: str, width: float) -> None:
                 projection = perspective() if k % 2 else orthographic()
                 camera = Camera(look_at(5 * d), projection, (0, 0, 400, 400))
                 style = Raskar(silhouette_width=width, ridge_width=width)
-                GL.glEnable(GL.GL_LIGHTING)
-                GL.glDisable(GL.GL_LIGHTING)
                 tiles.append(styled(backend, style, (mesh, camera))[1][::-1])
             sheet = np.concatenate([np.concatenate(tiles[r : r + 4], 1) for r in (0, 4)], 0)
             Image.fromarray(sheet).save(out / f"{name}_{width:g}.png")
 
 
-if __name__ == "__main__":
+if __name__ == "__main__" and sys.argv[1] == "--teapot":
+    _capture_teapot(sys.argv[2])
+elif __name__ == "__main__":
     main(sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 3.0)

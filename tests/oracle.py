@@ -65,7 +65,7 @@ def truth(polygons, points, camera, ridge_angle=120.0, weld=1e-5) -> Truth:
             outlines.append(silhouettes[-1])
             continue
         one, other = sorted(sides, key=lambda side: not side[3])  # a front-facing one first
-        i, j, normal, front, corners = one
+        i, j, normal, front, _ = one
         seen = _seen(normal, eye[i], camera) if front else normal
         hollow = (other[4].mean(axis=0) - eye[i]) @ seen > 0
         if other[3] != front:
@@ -127,8 +127,9 @@ def near(points, shape, radius):
         base = np.floor(part).astype(int)
         columns = base[:, 0, None] + steps
         rows = base[:, 1, None] + steps
-        square = (((columns + 0.5 - part[:, 0, None]) ** 2)[:, None, :]) + (
-            ((rows + 0.5 - part[:, 1, None]) ** 2)[:, :, None]
+        square = (
+            (((columns + 0.5 - part[:, 0, None]) ** 2)[:, None, :])
+            + (((rows + 0.5 - part[:, 1, None]) ** 2)[:, :, None])
         )
         hit, row, column = np.nonzero(square <= radius * radius)
         row, column = rows[hit, row], columns[hit, column]

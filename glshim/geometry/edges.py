@@ -54,7 +54,7 @@ class Edges:
     def counts(self) -> Indices:
         """(G,) number of sides on each edge."""
         ends = np.append(self.first[1:], len(self.order))
-        return ends - self.first
+        return np.asarray(ends - self.first, np.intp)
 
     @cached_property
     def singles(self) -> Indices:

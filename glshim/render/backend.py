@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import re
 from collections import OrderedDict
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
@@ -41,6 +41,8 @@ _DEPTH_TEST, _SCISSOR_TEST, _STENCIL_TEST = 0x0B71, 0x0C11, 0x0B90
 _DEPTH_FUNC, _DEPTH_BITS = 0x0B74, 0x0D56
 _LEQUAL, _GREATER, _GEQUAL = 0x0203, 0x0204, 0x0206
 _MOST_CLIP_PLANES = 6
+_STRIP = 0x0005
+_INPUTS = ("edge_a", "edge_b", "edge_c", "edge_plane", "edge_kind")
 _HAIR = 4.0
 """Steps of the depth buffer between a line and the surface that it belongs to."""
 
@@ -66,7 +68,7 @@ class Backend:
 
     def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
         self._context = context
-        self._programs: dict[tuple[Shader, int], _Program] = {}
+        self._programs: dict[tuple[Shader, int, tuple[str, ...]], _Program] = {}
         self._cache: OrderedDict[Hashable, Edges] = OrderedDict()
         self._cache_bytes, self._cached = cache_bytes, 0
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
@@ -139,23 +141,67 @@ class Backend:
         if not len(records):
             return
         offset = self._stream(records)
-        program = self._program(first.shader, min(len(camera.clip_planes), _MOST_CLIP_PLANES))
         near, far = camera.depth_range
         away = -1.0 if greater != (near > far) else 1.0
         steps = 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
+        program = self._ready(first.shader, camera, view, first.uniforms, away * steps)
+        _set_up(camera)
+        gl.glUseProgram(program.program.glo)
+        self._point_at(offset)
+        gl.glDrawArraysInstanced(_STRIP, 0, first.shader.vertices, len(records))
+
+    def vertices(
+        self,
+        records: NDArray[np.float32],
+        camera: Camera,
+        shader: Shader,
+        uniforms: Mapping[str, Uniform],
+        hair: float,
+    ) -> NDArray[np.float32]:
+        """(L, shader.vertices, 4) clip-space vertices that the GPU makes of line records, by
+        transform feedback: what tests hold to the numpy reference. hair: see `line.glsl`."""
+        view = _view(camera)
+        if view is None:
+            raise RenderError("this camera sees nothing")
+        with Guard():
+            program = self._ready(shader, camera, view, uniforms, hair, varyings=("gl_Position",))
+            source = self._context.buffer(records)
+            target = self._context.buffer(reserve=len(records) * shader.vertices * 16)
+            layout = "3f 3f 3f 4f 2f /i"
+            array = self._context.vertex_array(program.program, [(source, layout, *_INPUTS)])
+            array.transform(target, moderngl.POINTS, shader.vertices, instances=len(records))
+            found = np.frombuffer(target.read(), np.float32)
+            for held in (array, source, target):
+                held.release()
+        return found.reshape(len(records), shader.vertices, 4)
+
+    def _ready(
+        self,
+        shader: Shader,
+        camera: Camera,
+        view: dict[str, NDArray[np.float64]],
+        uniforms: Mapping[str, Uniform],
+        hair: float,
+        *,
+        varyings: tuple[str, ...] = (),
+    ) -> _Program:
+        """The program of a shader with its uniforms set."""
+        planes = min(len(camera.clip_planes), _MOST_CLIP_PLANES)
+        program = self._program(shader, planes, varyings)
         for name, matrix in view.items():
             program.write(name, matrix)
         program.set("half_viewport", (camera.viewport[2] / 2.0, camera.viewport[3] / 2.0))
-        program.set("hair", away * steps)
-        for key, value in first.uniforms.items():
+        program.set("hair", hair)
+        for key, value in uniforms.items():
             program.set(key, value)
-        _set_up(camera)
-        gl.glUseProgram(program.program.glo)
+        return program
+
+    def _point_at(self, offset: int) -> None:
+        """Let the inputs of the vertex shader read records at a byte offset of the ring."""
         gl.glBindVertexArray(self._array)
         gl.glBindBuffer(0x8892, self._ring.glo)
         for location, (size, start) in enumerate(((3, 0), (3, 3), (3, 6), (4, 9), (2, 13))):
             gl.glVertexAttribPointer(location, size, 0x1406, 0, RECORD * 4, offset + start * 4)
-        gl.glDrawArraysInstanced(0x0005, 0, first.shader.vertices, len(records))
 
     def _edges(self, batches: list[PolygonBatch]) -> Edges:
         """The edges of batches in one object space, found again by key."""
@@ -187,20 +233,22 @@ class Backend:
         self._ring_at = offset + size
         return offset
 
-    def _program(self, shader: Shader, planes: int) -> _Program:
-        found = self._programs.get((shader, planes))
+    def _program(self, shader: Shader, planes: int, varyings: tuple[str, ...]) -> _Program:
+        key = (shader, planes, varyings)
+        found = self._programs.get(key)
         if found is None:
             head = f"#version 330\n#define CLIP_PLANES {planes}\n"
             try:
                 program = self._context.program(
                     vertex_shader=f"{head}{_PRELUDE}\n#line 1\n{shader.vertex}",
-                    fragment_shader=f"{head}#line 1\n{shader.fragment}",
+                    fragment_shader=None if varyings else f"{head}#line 1\n{shader.fragment}",
+                    varyings=varyings,
                 )
             except moderngl.Error as error:
                 raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
             members = {name: program[name] for name in program}
             uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
-            found = self._programs[shader, planes] = _Program(program, uniforms)
+            found = self._programs[key] = _Program(program, uniforms)
         return found
 
 

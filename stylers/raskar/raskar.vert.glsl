@@ -70,8 +70,9 @@ void main() {
     if (corner < 4) {
         offset = under ? (kind == RING ? -INSET : 0.0) * out_1 : reached * out_1;
         reach = vec2(0.0, dot(offset, out_1) / reached);
+    } else if (far_b.z < -far_b.w) {
+        offset = vec2(0.0);  // cut by the near plane: no corner
     } else {
-        if (far_b.z < -far_b.w) return;
         vec4 eye_c = modelview * vec4(edge_c, 1.0);
         vec4 clip_c = projection * eye_c;
         clip_c = mix(clip_c, far_b, near_cut(clip_c, far_b));

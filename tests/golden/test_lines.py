@@ -27,9 +27,7 @@ def backend(teapot):
 
 def camera_for(k, direction, front_ccw=True):
     projection = look.perspective() if k % 2 else look.orthographic()
-    return Camera(
-        look.look_at(5 * direction), projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw
-    )
+    return Camera(look.look_at(5 * direction), projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw)
 
 
 @pytest.mark.parametrize("width", [1.0, 3.0, 8.0, 20.0])
@@ -58,7 +56,7 @@ def test_no_stray_ink_and_none_missing(backend, teapot, name, width):
             expected.append(points[clear])
         missing = ~_inked(changed, np.concatenate(expected))
         # The knob of the teapot has flaps thinner than a pixel that count as contours.
-        allowed = 0.03 if name == "teapot" else 0.003
+        allowed = 0.04 if name == "teapot" else 0.003
         assert missing.mean() < allowed, f"view {k}: {missing.mean():.3f} of the lines missing"
 
 
@@ -85,19 +83,18 @@ def test_width_along_the_whole_length(backend, width, distance, parallel):
         fov = 2 * np.degrees(np.arctan(1.6 / distance))
         projection = look.orthographic(1.6) if parallel else look.perspective(fov)
         camera = Camera(look.look_at(distance * direction), projection, (0, 0, SIZE, SIZE))
-        before, after, depth = look.styled(backend, style, (mesh, camera))
+        before, after, _ = look.styled(backend, style, (mesh, camera))
         changed = (before != after).any(axis=2)
         true = oracle.truth(look.polygons_of(mesh), mesh.positions, camera)
-        for segments, centred in ((true.silhouettes, False), (true.ridges, True)):
-            for segment in segments:
-                others = [s for s in np.concatenate([true.silhouettes, true.ridges])]
-                widths = _widths(changed, segment, others, width, centred, depth)
-                measured += len(widths)
-                assert (np.abs(widths - width) <= 0.75).all(), (segment, widths)
+        every = np.concatenate([true.silhouettes, true.ridges])
+        for segment in every:
+            widths = _widths(changed, segment, every, width)
+            measured += len(widths)
+            assert (np.abs(widths - width) <= 0.75).all(), (segment, widths)
     assert measured > 20
 
 
-def _widths(changed, segment, others, width, centred, depth):
+def _widths(changed, segment, others, width):
     """Ink across a segment at places where no other line is near: area over length, in windows
     of 8 px along the line."""
     a, b = segment[:, :2]
