@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes.util
 import json
 import os
 import platform
@@ -32,8 +31,8 @@ _PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pi
 _LIBRARIES = {
     "GL": "libgl1",
     "GLU": "libglu1-mesa",
-    "glut": "freeglut (libglut3.12)",
-    "gle": "libgle3",
+    "GLUT": "libglut-dev, since PyOpenGL does not find libglut.so.3.12",
+    "GLE": "libgle3",
 }
 _DISTRIBUTIONS = {"glfw": "glfw", "pygame.display": "pygame"}
 _NOT_HOOKED = {
@@ -43,7 +42,7 @@ _NOT_HOOKED = {
 
 
 def print_report(*, headless: bool = False) -> int:
-    """Print everything; 0 when a PyOpenGL program can be restyled here, 1 when not."""
+    """Print everything; the status is 1 when something of it will not work here."""
     troubles: list[str] = []
     _heading("glshim")
     _row("version", f"{__version__} on Python {platform.python_version()}, {platform.platform()}")
@@ -59,8 +58,10 @@ def print_report(*, headless: bool = False) -> int:
     for name in _PACKAGES:
         _row(name, _version_of(name) or "not installed")
     for name, package in _LIBRARIES.items():
-        library = ctypes.util.find_library(name)
-        _row(f"lib{name}", library or f"not found (Debian: {package})")
+        library = _library(name)
+        _row(name, library or f"not found (Debian: {package})")
+        if library is None:
+            troubles.append(f"programs that need {name}: PyOpenGL finds no such library")
     _row("Xvfb", shutil.which("Xvfb") or "not found: no --headless (Debian: xvfb)")
     _context(headless, troubles)
     _toolkits()
@@ -72,6 +73,17 @@ def print_report(*, headless: bool = False) -> int:
     )
     print("  Python run with -S, which reads no start-up files")
     return 1 if troubles else 0
+
+
+def _library(name: str) -> str | None:
+    """The library that PyOpenGL itself loads under that name."""
+    try:
+        from OpenGL.platform import PLATFORM
+
+        found = getattr(PLATFORM, name)
+    except Exception:  # PyOpenGL raises different errors from one platform to the next
+        return None
+    return getattr(found, "_name", None)
 
 
 def _environment(troubles: list[str]) -> None:
