@@ -9,7 +9,7 @@ import pytest
 
 from .catalog import HERE, OURS, Program
 from .hand import ESCAPE, WHEEL_UP, Hand
-from .harness import environment
+from .harness import PLAIN, environment
 from .screen import NoScreen, virtual_screen
 from .sources import launch
 
@@ -31,12 +31,12 @@ def hand(display: str) -> Hand:
     return Hand(display)
 
 
-def start(program: Program, display: str, hand: Hand) -> "subprocess.Popen[str]":
+def start(program: Program, style: str | None, display: str, hand: Hand) -> "subprocess.Popen[str]":
     """Start it in real time and wait for its window."""
     command = launch(program)
     process = subprocess.Popen(
         [sys.executable, *command.command], cwd=HERE.parent.parent,
-        env=environment(None, display, command), stderr=subprocess.PIPE, text=True)
+        env=environment(style, display, command), stderr=subprocess.PIPE, text=True)
     limit = time.monotonic() + PATIENCE
     while not hand.windows() and time.monotonic() < limit and process.poll() is None:
         time.sleep(0.05)
@@ -45,9 +45,11 @@ def start(program: Program, display: str, hand: Hand) -> "subprocess.Popen[str]"
     return process
 
 
+@pytest.mark.parametrize("style", [PLAIN, "raskar"], ids=["plain", "raskar"])
 @pytest.mark.parametrize("program", OURS, ids=lambda p: p.name)
-def test_escape_ends_it_after_some_use(program: Program, display: str, hand: Hand) -> None:
-    process = start(program, display, hand)
+def test_escape_ends_it_after_some_use(
+        program: Program, style: str | None, display: str, hand: Hand) -> None:
+    process = start(program, style, display, hand)
     try:
         hand.drag((300, 200), (360, 230))
         hand.click(WHEEL_UP)
