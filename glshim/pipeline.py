@@ -89,7 +89,8 @@ class Pipeline:
         self.styler = styler
         self._surface = Surface(styler.surface)
         self._contexts: dict[int, _Context] = {}
-        self._drawing: tuple[_Context, DrawState] | None = None
+        self._now: _Context | None = None
+        self._drawing: DrawState | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
         self._broken = False
 
@@ -120,28 +121,28 @@ class Pipeline:
     @_contained
     def begin(self, mode: int) -> None:
         """PrimitiveSink: before glBegin."""
-        self._reruns.clear()
-        self._open(mode in POLYGON_MODES)
+        if self._reruns:
+            self._reruns = []
+        self._now = self._context()
+        self._open(mode in POLYGON_MODES, self._now)
 
     @_contained
     def end(self, mode: int, stream: bytes) -> None:
         """PrimitiveSink: after glEnd."""
-        drawing = self._close()
-        context = self._context()
+        state = self._close()
+        context = self._now
         if context is None or mode not in POLYGON_MODES:
             return
         program = context.lists.open
         if program is not None:
             again = self._rerun(mode, stream) if self._reruns else None
             program.items.append(Shape(None, again) if again else Primitive(mode, stream))
-        if drawing is None:
+        if state is None:
             return
         if self._reruns:
-            batch = feedback.polygons(self._rerun(mode, stream))
-            if batch is not None:
-                context.layer.add_batch(drawing, batch)
+            self._shape(context, state, None, self._rerun(mode, stream))
         else:
-            context.layer.add_primitive(drawing, mode, stream)
+            context.layer.add_primitive(state, mode, stream)
 
     def _rerun(self, mode: int, stream: bytes) -> Callable[[], None]:
         calls = list(self._reruns)
@@ -230,14 +231,18 @@ class Pipeline:
                 context.fetch.buffer_written(name, args)
         elif role is Role.LIST_CLOSE:
             self._close_list()
+        elif role is Role.CLIP_PLANE:
+            context = self._context()
+            if context is not None:
+                context.reader.forget()
         elif role is Role.LIST_FORGET:
             context = self._context()
             if context is not None:
                 context.lists.forget(int(args[0]), int(args[1]))
         elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
-            self._open(False)
+            self._open(False, self._context())
         elif role in (Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.LIST_CALL):
-            self._open(True)
+            self._open(True, self._context())
 
     @_contained
     def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
@@ -337,14 +342,14 @@ class Pipeline:
             if isinstance(item, Opening):
                 mode, stream = item.mode, item.stream
         RECORDER.resume(mode, stream)
-        self._drawing = (context, state)
+        self._now, self._drawing = context, state
 
     # -- capture: shapes drawn in C ----------------------------------------------------------------
 
     @_contained
     def before_shape(self, name: str) -> None:
         """ShapeWatcher: GLU, GLUT or GLE is about to draw."""
-        self._open(True)
+        self._open(True, self._context())
 
     @_contained
     def after_shape(
@@ -397,40 +402,41 @@ class Pipeline:
             context = self._contexts[handle] = _Context()
         return context
 
-    def _open(self, polygons: bool) -> None:
+    def _open(self, polygons: bool, context: _Context | None) -> None:
         """A draw begins: the layer may end, and its polygons may carry lines."""
         self._drawing = None
-        context = self._context()
         if context is None or context.refused:
             return
-        if context.lists.open is not None and context.compiling != _COMPILE_AND_EXECUTE:
+        compiling = context.lists.open is not None
+        if compiling and context.compiling != _COMPILE_AND_EXECUTE:
             return
-        if not polygons and not context.layer:
+        layer = context.layer
+        if not polygons and not layer.pending:
             return
         state = context.reader.read()
-        if context.layer.ends_with(state) and context.lists.open is None:
+        if layer.pending and layer.ends_with(state) and not compiling:
             self._finish(context)
         if not polygons:
             return
-        if context.layer.carries(state):
-            self._drawing = (context, state)
-            if self._surface.changes and context.lists.open is None:
+        if layer.carries(state):
+            self._drawing = state
+            if self._surface.changes and not compiling:
                 self._surface.cover()
         elif state.obstacle:
             say_once(f"unstyled: polygons drawn while {state.obstacle}")
 
     def _close(self) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""
-        drawing, self._drawing = self._drawing, None
+        state, self._drawing = self._drawing, None
         if self._surface.changes:
             self._surface.uncover()
-        return drawing[1] if drawing is not None else None
+        return state
 
     @_contained
     def finish_layer(self) -> None:
         """The depth of the current context's layer is final: add the extra geometry."""
         context = self._context()
-        if context is not None and context.layer and not context.lists.open:
+        if context is not None and context.layer.pending and not context.lists.open:
             self._finish(context)
 
     def _finish(self, context: _Context) -> None:

@@ -8,8 +8,9 @@ same content is found again, so a still picture costs its hash.
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable
-from dataclasses import replace
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass, replace
+from itertools import count
 
 import numpy as np
 
@@ -18,8 +19,12 @@ from ..geometry.camera import Camera
 from .batch import PolygonBatch
 from .immediate import assemble_many, concatenate, transformed
 
-_SMALL = 200 * 20
-"""Bytes of recorded stream below which primitives of a state join others in eye space."""
+_SMALL_STREAM = 200 * 20
+_SMALL_CORNERS = 2000
+"""Bytes of stream, or corners, below which what one camera sees joins others in eye space."""
+_serial = count()
+_FEW = 4
+"""Fewer pieces than this are not worth joining."""
 
 Primitive = tuple[int, bytes]
 Item = tuple[PolygonBatch, Camera]
@@ -33,22 +38,22 @@ class ContentCache:
         self._seen: OrderedDict[int, None] = OrderedDict()
         self._most, self._bytes = most_bytes, 0
 
-    def batch(self, primitives: list[Primitive]) -> PolygonBatch:
-        """The polygons of these primitives."""
-        content = hash(tuple(primitives))
-        found = self._kept.get(content)
+    def found(self, content: Hashable, make: Callable[[], PolygonBatch]) -> PolygonBatch:
+        """The batch of this content, made when it is not kept."""
+        digest = hash(content)
+        found = self._kept.get(digest)
         if found is not None:
-            self._kept.move_to_end(content)
+            self._kept.move_to_end(digest)
             return found
-        batch = assemble_many(primitives)
-        if content in self._seen:
-            batch = replace(batch, key=("content", content, object()))
-            self._kept[content] = batch
+        batch = make()
+        if digest in self._seen:
+            batch = replace(batch, key=("content", digest, next(_serial)))
+            self._kept[digest] = batch
             self._bytes += _size(batch)
             while self._bytes > self._most and len(self._kept) > 1:
                 _, old = self._kept.popitem(last=False)
                 self._bytes -= _size(old)
-        self._seen[content] = None
+        self._seen[digest] = None
         if len(self._seen) > 4096:
             self._seen.popitem(last=False)
         return batch
@@ -56,6 +61,40 @@ class ContentCache:
 
 def _size(batch: PolygonBatch) -> int:
     return batch.positions.nbytes + batch.corners.nbytes + batch.starts.nbytes
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Polygons under one camera: recorded primitives or a batch."""
+
+    camera: Camera
+    primitives: list[Primitive] | None = None
+    batch: PolygonBatch | None = None
+
+    def polygons(self, cache: ContentCache) -> PolygonBatch:
+        """In object space."""
+        batch = self.batch
+        if batch is not None:
+            return batch if batch.key is not None else cache.found(_content(batch), lambda: batch)
+        primitives = self.primitives or []
+        return cache.found(tuple(primitives), lambda: assemble_many(primitives))
+
+    def in_eye_space(self) -> PolygonBatch:
+        """Moved by the camera's modelview."""
+        batch = self.batch if self.batch is not None else assemble_many(self.primitives or [])
+        return transformed(batch, self.camera.modelview)
+
+    def content(self) -> Hashable:
+        """Equal for equal polygons in eye space."""
+        batch = self.batch
+        inner = _content(batch) if batch is not None else tuple(self.primitives or [])
+        return inner, self.camera.modelview.tobytes()
+
+
+def _content(batch: PolygonBatch) -> Hashable:
+    if batch.key is not None:
+        return batch.key
+    return batch.positions.tobytes(), batch.corners.tobytes(), batch.boundary.tobytes()
 
 
 class LayerCollector:
@@ -68,7 +107,9 @@ class LayerCollector:
         self._last: DrawState | None = None
         self._deep = False
 
-    def __bool__(self) -> bool:
+    @property
+    def pending(self) -> bool:
+        """Whether the layer holds polygons."""
         return self._last is not None
 
     def carries(self, state: DrawState) -> bool:
@@ -96,7 +137,8 @@ class LayerCollector:
 
     def add_primitive(self, state: DrawState, mode: int, stream: bytes) -> None:
         """A recorded primitive drawn in this state."""
-        self._note(state)
+        if state is not self._last:
+            self._note(state)
         group = self._primitives.get(state)
         if group is None:
             group = self._primitives[state] = []
@@ -114,25 +156,35 @@ class LayerCollector:
 
     def take(self) -> tuple[Item, ...]:
         """The finished layer's items; the next layer begins empty."""
-        items = self._batches
-        loose: dict[Hashable, list[tuple[DrawState, list[Primitive]]]] = {}
-        for state, primitives in self._primitives.items():
-            if sum(len(s) for _, s in primitives) >= _SMALL or not _affine(state.camera):
-                items.append((self._content.batch(primitives), state.camera))
+        items: list[Item] = []
+        loose: dict[Hashable, list[Piece]] = {}
+
+        def place(piece: Piece, small: bool) -> None:
+            if small and _affine(piece.camera):
+                loose.setdefault(_eye_key(piece.camera), []).append(piece)
             else:
-                loose.setdefault(_eye_key(state.camera), []).append((state, primitives))
+                items.append((piece.polygons(self._content), piece.camera))
+
+        for state, primitives in self._primitives.items():
+            size = sum(len(s) for _, s in primitives)
+            place(Piece(state.camera, primitives=primitives), size < _SMALL_STREAM)
+        for batch, camera in self._batches:
+            place(Piece(camera, batch=batch), len(batch.corners) < _SMALL_CORNERS)
         for group in loose.values():
-            items.extend(self._joined(group))
+            if len(group) < _FEW:
+                items.extend((piece.polygons(self._content), piece.camera) for piece in group)
+            else:
+                items.append(self._joined(group))
         self._primitives, self._batches, self._last = {}, [], None
         return tuple(item for item in items if len(item[0].corners))
 
-    def _joined(self, group: list[tuple[DrawState, list[Primitive]]]) -> list[Item]:
-        if len(group) == 1:
-            state, primitives = group[0]
-            return [(self._content.batch(primitives), state.camera)]
-        parts = [transformed(assemble_many(p), s.camera.modelview) for s, p in group]
-        camera = replace(group[0][0].camera, modelview=np.eye(4))
-        return [(concatenate(parts), camera)]
+    def _joined(self, group: list[Piece]) -> Item:
+        """Many small pieces as one batch in eye space."""
+        batch = self._content.found(
+            tuple(piece.content() for piece in group),
+            lambda: concatenate([piece.in_eye_space() for piece in group]),
+        )
+        return batch, replace(group[0].camera, modelview=np.eye(4))
 
 
 def _affine(camera: Camera) -> bool:

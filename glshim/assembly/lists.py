@@ -11,6 +11,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from .immediate import assemble_many, concatenate, transformed
 _DEPTH_TEST, _MODELVIEW = 0x0B71, 0x1700
 _FILL = 0x1B02
 _NESTING = 64
+_serial = count()
 _ID_TYPES = {
     0x1400: np.int8, 0x1401: np.uint8, 0x1402: np.int16, 0x1403: np.uint16, 0x1404: np.int32,
     0x1405: np.uint32, 0x1406: np.float32,
@@ -186,7 +188,7 @@ class ListBook:
     def _resolve(
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
-        key = ("list", context, name, object())
+        key = ("list", context, name, next(_serial))
         walk = _Walk(matrix_mode, shapes)
         walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]

@@ -27,7 +27,7 @@ from ..spec.attributes import (
     Attribute,
     decode,
 )
-from ..spec.driver import current_context, gl
+from ..spec.driver import current_context, gl, quick
 
 SMALL = 128 * RECORD_BYTES
 """Below this many bytes a replay is quicker than setting up arrays (measured)."""
@@ -53,8 +53,8 @@ _calls: list[Callable[[bytes], Any]] = []
 def _bare_calls() -> list[Callable[[bytes], Any]]:
     if not _calls:
         for name in REPLAY:
-            bare = getattr(gl, name)
-            _calls.append(bare if name.endswith("v") else lambda r, bare=bare: bare(any(r[:4])))
+            bare = quick(name)
+            _calls.append(bare if name.endswith("v") else lambda r, bare=bare: bare(int(any(r))))
     return _calls
 
 

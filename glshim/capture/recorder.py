@@ -17,7 +17,7 @@ from typing import Any, Protocol
 from numpy import ndarray
 
 from ..spec.attributes import ATTRIBUTES, Attribute
-from ..spec.driver import gl
+from ..spec.driver import gl, quick
 from . import forward
 from .raw import RAW, Call, Maker
 
@@ -157,6 +157,8 @@ class Recorder:
         self.inside = lambda: (deferred or shadow) and not bare
 
         def make_begin(real: Call) -> Call:
+            driver_begin = quick("glBegin")
+
             def begin(new_mode: Any = _MISSING, *more: Any) -> Any:
                 nonlocal deferred, mode, stream, write, shadow, bare
                 if bare:
@@ -167,7 +169,7 @@ class Recorder:
                     return real(new_mode, *more) if new_mode is not _MISSING else real()
                 if self.sink is not None:
                     self.sink.begin(new_mode)
-                gl.glBegin(new_mode)
+                driver_begin(new_mode)
                 stream = BytesIO()
                 write = stream.write
                 mode = new_mode

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 import ctypes
 import struct
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ..geometry.camera import Camera
-from ..spec.driver import current_context, gl
+from ..spec.driver import current_context, gl, quick
 
 _FLOATS = ((0x0BA6, 16), (0x0BA7, 16), (0x0B70, 2))
 _INTEGERS = (
@@ -30,7 +32,10 @@ _INTEGERS = (
     ("render_mode", 0x0C40, 1),
     ("program", 0x8B8D, 1),
     ("framebuffer", 0x8CA6, 1),
+    ("clip", 0x3000, 1),
+    ("clip", 0x3001, 1),
 )
+_MODELVIEW_BYTES = 64
 _COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)
 
 _CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
@@ -61,13 +66,19 @@ class StateReader:
 
     def __init__(self) -> None:
         self._buffer = (ctypes.c_int32 * _COUNT)()
-        self._calls: list[tuple[Any, int, Any]] = []
+        self._calls: list[Callable[[], None]] = []
         self._known: dict[bytes, DrawState] = {}
+        self._rest: dict[bytes, DrawState] = {}
+
+    def forget(self) -> None:
+        """A clip plane was moved: its equation is not part of the key."""
+        self._known.clear()
+        self._rest.clear()
 
     def read(self) -> DrawState:
         """The state now. A compatibility context must be current, outside glBegin/glEnd."""
-        for get, name, target in self._calls or self._prepare():
-            get(name, target)
+        for get in self._calls or self._prepare():
+            get()
         key = bytes(self._buffer)
         state = self._known.get(key)
         if state is None:
@@ -76,13 +87,14 @@ class StateReader:
             state = self._known[key] = self._decode(key)
         return state
 
-    def _prepare(self) -> list[tuple[Any, int, Any]]:
+    def _prepare(self) -> list[Callable[[], None]]:
+        floats, integers = quick("glGetFloatv"), quick("glGetIntegerv")
         offset = 0
         for name, count in _FLOATS:
-            self._calls.append((gl.glGetFloatv, name, self._at(offset)))
+            self._calls.append(partial(floats, name, self._at(offset)))
             offset += count
         for _, name, count in _INTEGERS:
-            self._calls.append((gl.glGetIntegerv, name, self._at(offset)))
+            self._calls.append(partial(integers, name, self._at(offset)))
             offset += count
         return self._calls
 
@@ -90,42 +102,72 @@ class StateReader:
         return ctypes.c_void_p(ctypes.addressof(self._buffer) + 4 * offset)
 
     def _decode(self, key: bytes) -> DrawState:
-        floats = struct.unpack_from("=34f", key)
-        integers = struct.unpack_from(f"={_COUNT - 34}i", key, 34 * 4)
-        values: dict[str, tuple[int, ...]] = {}
-        at = 0
-        for name, _, count in _INTEGERS:
-            values[name] = integers[at : at + count]
-            at += count
+        """All but the modelview is mostly what it was: found again by the rest of the key."""
+        rest = self._rest.get(key[_MODELVIEW_BYTES:])
+        if rest is None:
+            if len(self._rest) > 256:
+                self._rest.clear()
+            rest = self._rest[key[_MODELVIEW_BYTES:]] = _decode_rest(key)
+        c = rest.camera
+        modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
-            modelview=np.array(floats[:16], np.float64).reshape(4, 4).T,
-            projection=np.array(floats[16:32], np.float64).reshape(4, 4).T,
-            viewport=values["viewport"],  # type: ignore[arg-type]
-            depth_range=(floats[32], floats[33]),
-            front_ccw=values["front_face"][0] == _CCW,
-            scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
-        )
-        fill = values["polygon_mode"] == (_FILL, _FILL)
-        func = values["depth_func"][0]
-        depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)
-        obstacle = ""
-        if values["render_mode"][0] != _RENDER:
-            obstacle = "selection or feedback"
-        elif values["program"][0]:
-            obstacle = "the app's own shader program is in use"
-        elif not any(values["color_mask"]):
-            obstacle = "no colour is written"
-        elif values["depth_test"][0] and not depth:
-            obstacle = "the depth function is not less or less-or-equal"
+            modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
+            c.clip_planes,
+        )  # fmt: skip
         return DrawState(
-            camera=camera,
-            framebuffer=values["framebuffer"][0],
-            depth_tested=depth,
-            depth_written=bool(values["depth_mask"][0]),
-            flat=camera.orthographic,
-            obstacle=obstacle,
-            fill_faces=fill,
-        )
+            camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
+            rest.obstacle, rest.fill_faces,
+        )  # fmt: skip
+
+
+def _decode_rest(key: bytes) -> DrawState:
+    floats = struct.unpack_from("=34f", key)
+    integers = struct.unpack_from(f"={_COUNT - 34}i", key, 34 * 4)
+    values: dict[str, tuple[int, ...]] = {}
+    at = 0
+    for name, _, count in _INTEGERS:
+        values[name] = values.get(name, ()) + integers[at : at + count]
+        at += count
+    camera = Camera(
+        modelview=np.eye(4),
+        projection=np.array(floats[16:32], np.float64).reshape(4, 4).T,
+        viewport=values["viewport"],  # type: ignore[arg-type]
+        depth_range=(floats[32], floats[33]),
+        front_ccw=values["front_face"][0] == _CCW,
+        scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
+        clip_planes=_clip_planes(values["clip"]),
+    )
+    func = values["depth_func"][0]
+    depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)
+    obstacle = ""
+    if values["render_mode"][0] != _RENDER:
+        obstacle = "selection or feedback"
+    elif values["program"][0]:
+        obstacle = "the app's own shader program is in use"
+    elif not any(values["color_mask"]):
+        obstacle = "no colour is written"
+    elif values["depth_test"][0] and not depth:
+        obstacle = "the depth function is not less or less-or-equal"
+    return DrawState(
+        camera=camera,
+        framebuffer=values["framebuffer"][0],
+        depth_tested=depth,
+        depth_written=bool(values["depth_mask"][0]),
+        flat=camera.orthographic,
+        obstacle=obstacle,
+        fill_faces=values["polygon_mode"] == (_FILL, _FILL),
+    )
+
+
+def _clip_planes(enabled: tuple[int, ...]) -> tuple[tuple[float, float, float, float], ...]:
+    """Equations in eye space of the user clip planes that are on."""
+    found = []
+    for i, on in enumerate(enabled):
+        if on:
+            equation = (ctypes.c_double * 4)()
+            gl.glGetClipPlane(0x3000 + i, equation)
+            found.append((equation[0], equation[1], equation[2], equation[3]))
+    return tuple(found)
 
 
 def unsupported() -> str:

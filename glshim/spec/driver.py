@@ -87,9 +87,41 @@ class Driver:
 gl = Driver()
 
 
+def quick(name: str) -> Callable[..., Any]:
+    """A bare function without result for the hottest paths: twice as fast as ``gl.name``.
+
+    It does not convert: arguments are integers, ``bytes`` or ctypes pointers. It keeps the GIL, so
+    it is for calls that return at once.
+    """
+    address = ctypes.cast(getattr(gl, name), ctypes.c_void_p).value
+    assert address is not None
+    return ctypes.PYFUNCTYPE(None)(address)
+
+
+_get_current: Callable[[], int | None] | None = None
+
+
 def current_context() -> int:
     """The platform's handle of the current context, 0 when none is current."""
+    global _get_current
+    if _get_current is None:
+        _get_current = _current_getter()
+    return _get_current() or 0
+
+
+def _current_getter() -> Callable[[], int | None]:
     from OpenGL.platform import PLATFORM
 
-    context = PLATFORM.GetCurrentContext()
-    return int(getattr(context, "value", context) or 0)
+    getter = PLATFORM.GetCurrentContext
+    try:
+        address = ctypes.cast(getter, ctypes.c_void_p).value
+    except ctypes.ArgumentError:  # a Python function on some platforms
+        address = None
+    if address:
+        return ctypes.PYFUNCTYPE(ctypes.c_void_p)(address)
+
+    def current() -> int:
+        context = getter()
+        return int(getattr(context, "value", context) or 0)
+
+    return current
