@@ -83,7 +83,9 @@ def _load(name: str) -> type[Styler]:
         return registry.load(name)
     except UnknownNameError as error:
         if Path(name).is_file():
-            raise StyleError(f"{error}; a style file's name ends in .toml") from error
+            raise StyleError(
+                f"{name} is a file: a style file is given alone, as NAME.toml"
+            ) from error
         raise
 
 
@@ -130,21 +132,24 @@ def parse_frames(text: str) -> int:
     return int(text)
 
 
-def parse_capture(text: str) -> str:
-    """A file name, absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
+def parse_capture(text: str, folder: str = "") -> str:
+    """A file name, made absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
     rest = re.sub("%0?[0-9]*d", "", text, count=1)
     if "%" in rest or not text.lower().endswith(".png"):
         raise StyleError(
             f"{text!r} is no file name for frames: it ends in .png "
             "and holds one %d or %03d, or none, for the frame's number"
         )
-    return os.path.abspath(text)
+    return os.path.abspath(os.path.join(folder, text))
 
 
-def read_environment(environ: Mapping[str, str]) -> tuple[Settings, tuple[str, ...]]:
+def read_environment(
+    environ: Mapping[str, str], folder: str = ""
+) -> tuple[Settings, tuple[str, ...]]:
     """The settings, and a line for each variable that cannot be used (and then counts as unset).
+    Relative paths are taken from the folder.
 
-    The style's text is not read here: that needs the stylers.
+    The style's text is not parsed here: that loads stylers.
     """
     complaints: list[str] = []
 
@@ -158,10 +163,11 @@ def read_environment(environ: Mapping[str, str]) -> tuple[Settings, tuple[str, .
             complaints.append(f"{variable}: {error}; {consequence}")
             return None
 
+    style = environ.get(STYLE, "").strip()
     settings = Settings(
-        style=environ.get(STYLE, "").strip() or None,
+        style=(os.path.join(folder, style) if style.endswith(".toml") else style) or None,
         frames=read(FRAMES, parse_frames, "the program runs on without an end"),
-        capture=read(CAPTURE, parse_capture, "no frames are written"),
+        capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
     )
     return settings, tuple(complaints)
 

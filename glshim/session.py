@@ -13,10 +13,10 @@ LOOKS_AT_THE_PICTURE, COUNTS = 1, 2
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
 
 
-def begin() -> None:
-    """Read the environment and install what it asks for. What it asks for wrongly is said in one
-    line each, and the program runs on without it."""
-    settings, complaints = options.read_environment(os.environ)
+def begin(folder: str) -> None:
+    """Read the environment and install what it asks for; its paths are relative to the folder.
+    What it asks for wrongly is said in one line each, and the program runs on without it."""
+    settings, complaints = options.read_environment(os.environ, folder)
     for complaint in complaints:
         say(complaint)
     if settings.style is not None:

@@ -97,7 +97,7 @@ def present(
     glFinish on a single-buffered or off-screen context. May raise `SystemExit`: see `end_program`.
     """
     global _presented
-    if not _listeners or not _context_is_current():
+    if not listening():
         return swap(*arguments, **named)
     with drawing(on or _surface):
         for listener in _listeners:
@@ -109,6 +109,17 @@ def present(
         if _leaving:
             _leave(_surface)
     return result
+
+
+def listening() -> bool:
+    """Whether a frame that ends now matters to anyone: someone listens, a context is current."""
+    return bool(_listeners) and _context_is_current()
+
+
+def _context_is_current() -> bool:
+    # Without PyOpenGL there is nothing of ours in the frame.
+    platform = sys.modules.get("OpenGL.platform")
+    return platform is not None and bool(platform.PLATFORM.GetCurrentContext())
 
 
 @contextmanager
@@ -145,12 +156,6 @@ def _call(function: Callable[[], None]) -> None:
         function()
     except Exception as error:
         say_fault("a frame end went wrong, the program runs on", error)
-
-
-def _context_is_current() -> bool:
-    # Without PyOpenGL there is nothing of ours in the frame.
-    platform = sys.modules.get("OpenGL.platform")
-    return platform is not None and bool(platform.PLATFORM.GetCurrentContext())
 
 
 def _leave(surface: Surface) -> None:

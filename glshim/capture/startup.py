@@ -4,6 +4,8 @@ Nothing but the watch on imports is loaded until a toolkit or PyOpenGL comes, so
 Python program that inherits the variables pays next to nothing.
 """
 
+import os
+
 from glshim.capture.imports import after_import
 
 TYPE_CHECKING = False
@@ -17,6 +19,8 @@ PYOPENGL = "OpenGL.error"
 EARLY_TOOLKITS = ("glfw", "pygame.display")
 
 _armed = False
+_folder = ""
+"""Where the program was started: what the paths in the variables are relative to."""
 
 
 def arm() -> None:
@@ -24,10 +28,11 @@ def arm() -> None:
 
     Once: `site` reads the start-up files of a virtual environment twice.
     """
-    global _armed
+    global _armed, _folder
     if _armed:
         return
     _armed = True
+    _folder = os.getcwd()
     for toolkit in EARLY_TOOLKITS:
         after_import(toolkit, _watch_toolkits)
     after_import(PYOPENGL, _begin)
@@ -42,4 +47,4 @@ def _watch_toolkits(module: "ModuleType") -> None:
 def _begin(module: "ModuleType") -> None:
     from glshim import session
 
-    session.begin()
+    session.begin(_folder)

@@ -115,6 +115,8 @@ def _hook_glfw(module: ModuleType) -> None:
 
     @functools.wraps(plain, assigned=("__name__", "__doc__"), updated=())
     def swap_buffers(window: Any) -> Any:
+        if not frames.listening():
+            return plain(window)
         with _current_in_glfw(library, window):
             return frames.present(plain, window, on=Surface(functools.partial(size_of, window)))
 
@@ -152,11 +154,10 @@ def _pygame_present(module: ModuleType, plain: Callable[..., None]) -> Callable[
 
     @functools.wraps(plain)
     def flip(*arguments: Any, **named: Any) -> None:
-        shown = module.get_surface()
+        shown = module.get_surface() if frames.listening() else None
         if shown is None or shown.get_flags() & (_OPENGL | _PREALLOC) != _OPENGL:
-            plain(*arguments, **named)
-        else:
-            frames.present(plain, *arguments, on=surface, named=named)
+            return plain(*arguments, **named)
+        return frames.present(plain, *arguments, on=surface, named=named)
 
     return flip
 

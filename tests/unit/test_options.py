@@ -92,15 +92,27 @@ def test_a_file_that_is_not_there_is_named() -> None:
         parse_style("nowhere.toml")
 
 
-def test_the_environment_is_read_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    settings, complaints = read_environment(
-        {"GLSHIM_STYLE": " raskar ", "GLSHIM_FRAMES": "12", "GLSHIM_CAPTURE": "f%03d.png"}
-    )
+def test_the_environment_is_read_whole(tmp_path: Path) -> None:
+    variables = {"GLSHIM_STYLE": " raskar ", "GLSHIM_FRAMES": "12", "GLSHIM_CAPTURE": "f%03d.png"}
+    settings, complaints = read_environment(variables, str(tmp_path))
     assert complaints == ()
     assert settings.style == "raskar"
     assert settings.frames == 12
     assert settings.capture == str(tmp_path / "f%03d.png")
+
+
+def test_a_style_file_is_found_from_where_the_program_was_started() -> None:
+    settings, _ = read_environment({"GLSHIM_STYLE": "mine.toml"}, "/started/here")
+    assert settings.style == "/started/here/mine.toml"
+    settings, _ = read_environment({"GLSHIM_STYLE": "/there/mine.toml"}, "/started/here")
+    assert settings.style == "/there/mine.toml"
+
+
+def test_a_file_takes_no_options_after_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.toml").write_text('style = "raskar"')
+    with pytest.raises(StyleError, match="given alone"):
+        parse_style("mine.toml:ridges=off")
 
 
 def test_a_wrong_variable_counts_as_unset_and_is_said() -> None:
