@@ -96,12 +96,27 @@ class Camera:
 
 
 def cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(3, 3) the cofactors of a matrix's upper 3x3: what its action on vectors does to areas."""
-    m = matrix[:3, :3]
-    return np.stack([np.cross(m[i - 2], m[i - 1]) for i in range(3)])
+    """(..., 3, 3) the cofactors of the upper 3x3 of matrices (..., 4, 4): what their action on
+    vectors does to areas."""
+    m = matrix[..., :3, :3]
+    out = np.empty_like(m)
+    for i in range(3):
+        for j in range(3):
+            a, b, c, d = (i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3
+            out[..., i, j] = m[..., a, c] * m[..., b, d] - m[..., a, d] * m[..., b, c]
+    return out
 
 
 def _minors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     """(4,) the signed 3x3 minors of a 3x4 matrix: its null vector."""
-    columns = [np.delete(rows, k, axis=1) for k in range(4)]
-    return np.array([((-1.0) ** k) * np.linalg.det(c) for k, c in enumerate(columns)])
+    (a, b, c, d), (e, f, g, h), (i, j, k, m) = rows.tolist()
+    gm, fm, em = g * m - h * k, f * m - h * j, e * m - h * i
+    jk, ik, ij = f * k - g * j, e * k - g * i, e * j - f * i
+    return np.array(
+        (
+            b * gm - c * fm + d * jk,
+            -(a * gm - c * em + d * ik),
+            a * fm - b * em + d * ij,
+            -(a * jk - b * ik + c * ij),
+        )
+    )

@@ -18,7 +18,7 @@ Indices = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 
 _GRAIN = 16 * float(np.finfo(np.float32).eps)
-"""Length, over the largest coordinate, below which float32 corners say nothing: heights of
+"""Length, over a polygon's largest coordinate, below which float32 corners say nothing: heights of
 polygons under it are slivers without a normal, sides under it have no length."""
 _CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23))
 """Cells per axis in which corners count as one when neighbours are looked for, and the shift of
@@ -54,12 +54,13 @@ class Edges:
     def counts(self) -> Indices:
         """(G,) number of sides on each edge."""
         ends = np.append(self.first[1:], len(self.order))
-        return np.asarray(ends - self.first, np.intp)
+        counts: Indices = np.subtract(ends, self.first, dtype=np.intp)
+        return counts
 
     @cached_property
     def singles(self) -> Indices:
         """(S,) sides that lie alone on their edge."""
-        return self.order[self.first[self.counts == 1]]
+        return self.order[self.first[np.flatnonzero(self.counts == 1)]]
 
     @cached_property
     def pairs(self) -> tuple[Indices, Indices]:
@@ -142,9 +143,6 @@ def edges(batch: PolygonBatch) -> Edges:
     """
     sizes = np.diff(batch.starts)
     kinds = np.unique(sizes)
-    with np.errstate(invalid="ignore"):
-        sizes_of = np.abs(batch.positions)
-        grain = _GRAIN * float(np.max(sizes_of, initial=0.0, where=sizes_of < np.inf))
     parts = []
     done = 0
     for size in kinds[kinds >= 3].tolist():
@@ -155,7 +153,7 @@ def edges(batch: PolygonBatch) -> Edges:
             first = batch.starts[:-1][sizes == size]
             index = first[:, None] + np.arange(size, dtype=np.int32)
             at, flags = batch.corners[index], batch.boundary[index]
-        part = _same_size(batch.positions[at], flags, grain)
+        part = _same_size(batch.positions[at], flags)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
         done += len(part[2])
     if not parts:
@@ -220,12 +218,10 @@ def _cell(points: Floats, low: Doubles, scale: float, shift: float) -> NDArray[n
     return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
 
 
-def _same_size(
-    points: Floats, flags: Flags, grain: float
-) -> tuple[Floats, NDArray[np.int32], Doubles]:
+def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles]:
     """Sides, polygon rows and planes of polygons with equally many corners.
 
-    points (P, n, 3), flags (P, n); grain is the length that counts as none.
+    points (P, n, 3), flags (P, n).
     """
     count, size = flags.shape
     with np.errstate(invalid="ignore", over="ignore"):
@@ -234,10 +230,11 @@ def _same_size(
         normal = _area_vector(spokes)
         length = np.sqrt(np.einsum("pi,pi->p", normal, normal))
         extent = np.einsum("pni,pni->p", spokes, spokes)
+        grain = _GRAIN * (np.abs(centre).max(axis=1, initial=0.0) + np.sqrt(extent))
         sound = (length > grain * np.sqrt(extent)) & np.isfinite(extent)
     if not sound.all():
         points, flags, normal = points[sound], flags[sound], normal[sound]
-        centre, length = centre[sound], length[sound]
+        centre, length, grain = centre[sound], length[sound], grain[sound]
         count = len(flags)
     planes = np.empty((count, 4))
     planes[:, :3] = normal / length[:, None]
@@ -247,7 +244,7 @@ def _same_size(
         for ahead in range(3):
             sides[:, corner, 3 * ahead : 3 * ahead + 3] = points[:, (corner + ahead) % size]
     step = sides[:, :, 3:6] - sides[:, :, 0:3]
-    still = np.einsum("pni,pni->pn", step, step) <= grain * grain
+    still = np.einsum("pni,pni->pn", step, step) <= (grain * grain)[:, None]
     if still.any():  # a repeated corner: the line turns at the next distinct one
         turn = np.roll(still, -1, axis=1)
         sides[turn, 6:9] = np.roll(points, -3, axis=1)[turn]

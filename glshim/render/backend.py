@@ -6,7 +6,7 @@ import ctypes
 import re
 from collections import OrderedDict
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from typing import Any
 
@@ -18,7 +18,8 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.edges import Edges, edges, join
-from glshim.geometry.lines import RECORD, Choice, choose
+from glshim.geometry.gather import moved, placed, together
+from glshim.geometry.lines import RECORD, choose
 from glshim.render.driver import gl
 from glshim.render.guard import Guard, possible
 from glshim.styling.protocol import Draw, Shader, Uniform
@@ -43,6 +44,8 @@ _LEQUAL, _GREATER, _GEQUAL = 0x0203, 0x0204, 0x0206
 _MOST_CLIP_PLANES = 6
 _STRIP = 0x0005
 _INPUTS = ("edge_a", "edge_b", "edge_c", "edge_plane", "edge_kind")
+_LARGE = 4096
+"""Corners from which a batch is drawn on its own rather than gathered with others."""
 _HAIR = 4.0
 """Steps of the depth buffer between a line and the surface that it belongs to."""
 
@@ -132,23 +135,37 @@ class Backend:
                 self._draw(group, bits, greater)
 
     def _draw(self, group: list[Draw], bits: int, greater: bool) -> None:
+        """Draws alike in all but batch and modelview, as few GL draws."""
         first = group[0]
-        camera = first.camera
-        view = _view(camera)
-        if view is None:
-            return
-        records = choose(self._edges([draw.batch for draw in group]), camera, first.choice)
-        if not len(records):
-            return
+        large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
+        small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
+        if len(small) == 1:
+            large, small = [*large, *small], []
+        work = [(self._edges(draw.batch), draw.camera) for draw in large]
+        if small:
+            camera = replace(small[0].camera, modelview=np.eye(4))
+            work.append((self._gathered(small), camera))
+        for found, camera in work:
+            view = _view(camera)
+            if view is not None:
+                records = choose(found, camera, first.choice)
+                if len(records):
+                    hair = _hair(camera, bits, greater)
+                    self._draw_records(replace(first, camera=camera), records, view, hair)
+
+    def _draw_records(
+        self,
+        draw: Draw,
+        records: NDArray[np.float32],
+        view: dict[str, NDArray[np.float64]],
+        hair: float,
+    ) -> None:
         offset = self._stream(records)
-        near, far = camera.depth_range
-        away = -1.0 if greater != (near > far) else 1.0
-        steps = 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
-        program = self._ready(first.shader, camera, view, first.uniforms, away * steps)
-        _set_up(camera)
+        program = self._ready(draw.shader, draw.camera, view, draw.uniforms, hair)
+        _set_up(draw.camera)
         gl.glUseProgram(program.program.glo)
         self._point_at(offset)
-        gl.glDrawArraysInstanced(_STRIP, 0, first.shader.vertices, len(records))
+        gl.glDrawArraysInstanced(_STRIP, 0, draw.shader.vertices, len(records))
 
     def vertices(
         self,
@@ -203,20 +220,41 @@ class Backend:
         for location, (size, start) in enumerate(((3, 0), (3, 3), (3, 6), (4, 9), (2, 13))):
             gl.glVertexAttribPointer(location, size, 0x1406, 0, RECORD * 4, offset + start * 4)
 
-    def _edges(self, batches: list[PolygonBatch]) -> Edges:
-        """The edges of batches in one object space, found again by key."""
-        key = batches[0].key
+    def _edges(self, batch: PolygonBatch) -> Edges:
+        """The edges of a batch, found again by key."""
+        key = batch.key
         if key is None:
-            return edges(join(batches))
+            return edges(batch)
         found = self._cache.get(key)
         if found is None:
-            found = self._cache[key] = edges(batches[0])
+            found = self._cache[key] = edges(batch)
             self._cached += found.nbytes
             while self._cached > self._cache_bytes and len(self._cache) > 1:
                 self._cached -= self._cache.popitem(last=False)[1].nbytes
         else:
             self._cache.move_to_end(key)
         return found
+
+    def _gathered(self, draws: list[Draw]) -> Edges:
+        """The edges of many small batches in eye space."""
+        copies: dict[Hashable, list[Draw]] = {}
+        passing: dict[int, list[Draw]] = {}
+        for draw in draws:
+            if draw.batch.key is None:
+                passing.setdefault(id(draw.camera), []).append(draw)
+            else:
+                copies.setdefault(draw.batch.key, []).append(draw)
+        parts = [
+            placed(self._edges(alike[0].batch), np.stack([d.camera.modelview for d in alike]))
+            for alike in copies.values()
+        ]
+        if passing:
+            joined = [
+                moved(join([d.batch for d in alike]), alike[0].camera.modelview)
+                for alike in passing.values()
+            ]
+            parts.append(edges(join(joined)))
+        return together(parts)
 
     def _stream(self, records: NDArray[np.float32]) -> int:
         """Byte offset in the ring at which records now lie."""
@@ -259,30 +297,49 @@ def _integer(name: int) -> int:
 
 
 def _grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
-    """Draws that one GL draw serves: without a key and alike in all but the batch."""
-    groups: list[list[Draw]] = []
-    alike: dict[tuple[int, Choice, Shader, tuple[tuple[str, Uniform], ...]], list[Draw]] = {}
+    """Draws that one GL draw can serve: alike in all but batch and modelview."""
+    groups: dict[Hashable, list[Draw]] = {}
+    seen: dict[int, tuple[Camera, Hashable]] = {}
     for draw in draws:
         if draw.batch.polygon_count == 0:
             continue
-        if draw.batch.key is not None:
-            groups.append([draw])
-            continue
-        same = (id(draw.camera), draw.choice, draw.shader, tuple(draw.uniforms.items()))
-        group = alike.get(same)
-        if group is None:
-            groups.append(alike.setdefault(same, [draw]))
-        else:
-            group.append(draw)
-    return groups
+        known = seen.get(id(draw.camera))
+        if known is None:
+            camera = draw.camera.affine()
+            if not np.isfinite(camera.modelview).all():
+                continue
+            known = seen[id(draw.camera)] = (camera, _lens(camera))
+        camera, lens = known
+        same = (lens, draw.choice, draw.shader, tuple(draw.uniforms.items()))
+        groups.setdefault(same, []).append(replace(draw, camera=camera))
+    return list(groups.values())
+
+
+def _lens(camera: Camera) -> Hashable:
+    """All of a camera but its modelview."""
+    return (
+        camera.projection.tobytes(),
+        camera.viewport,
+        camera.depth_range,
+        camera.front_ccw,
+        camera.scissor,
+        camera.clip_planes,
+        camera.stencil,
+    )
+
+
+def _hair(camera: Camera, bits: int, greater: bool) -> float:
+    """A few steps of the depth buffer in normalised device depth, positive away from the viewer."""
+    near, far = camera.depth_range
+    away = -1.0 if greater != (near > far) else 1.0
+    return away * 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
 
 
 def _view(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
     """The camera's matrices as uniforms (columns first); None when nothing can be seen by it."""
-    camera = camera.affine()
     if min(camera.viewport[2:]) <= 0:
         return None
-    if not (np.isfinite(camera.modelview).all() and np.isfinite(camera.projection).all()):
+    if not np.isfinite(camera.projection).all():
         return None
     try:
         unprojection = np.linalg.inv(camera.projection)
