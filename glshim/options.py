@@ -31,6 +31,8 @@ def parse_style(text: str) -> Styler:
     Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
     """
     text = text.strip()
+    if not text.isprintable():
+        raise StyleError(f"{text!r} is no style: it holds characters that are not printable")
     if text.endswith(".toml"):
         return load_style(Path(text))
     name, _, assignments = text.partition(":")
@@ -46,9 +48,9 @@ def load_style(path: Path) -> Styler:
     """
     try:
         content = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+    except (OSError, ValueError) as error:  # ValueError: bytes that are no UTF-8, or no path
         reason = getattr(error, "strerror", None) or error
-        raise StyleError(f"cannot read style file {path}: {reason}") from error
+        raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
     try:
         table = tomllib.loads(content)
     except tomllib.TOMLDecodeError as error:
@@ -68,7 +70,8 @@ def load_style(path: Path) -> Styler:
         key = ""
         return styler(**values)
     except StyleError as error:
-        raise StyleError(f"{path}{_line_of(key, content)}: {error}") from error
+        line = " ".join(str(error).splitlines())  # the file's texts may hold line ends
+        raise StyleError(f"{path}{_line_of(key, content)}: {line}") from error
 
 
 def _line_of(key: str, content: str) -> str:
@@ -82,7 +85,7 @@ def _load(name: str) -> type[Styler]:
     try:
         return registry.load(name)
     except UnknownNameError as error:
-        if Path(name).is_file():
+        if os.path.isfile(name):  # (never raises, unlike Path's)
             raise StyleError(
                 f"{name} is a file: a style file is given alone, as NAME.toml"
             ) from error

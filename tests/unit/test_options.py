@@ -5,10 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.options import describe, parse_capture, parse_frames, parse_style, read_environment
 from glshim.styling import registry
+from glshim.styling.protocol import Option, Styler, options_of
 from stylers.raskar import Raskar
 
 
@@ -75,6 +78,7 @@ def test_a_file_may_write_a_switch_as_a_word(tmp_path: Path) -> None:
         ("ridges = true\n", 'style = "raskar"'),
         ('style = "raskar"\nridges = \n', "line 2"),
         ("style = 3\n", "names its style"),
+        ('style = "raskar"\nink = "a\\nb"\n', "mine.toml:2: ink=a b"),
     ],
 )
 def test_a_wrong_file_names_itself_and_the_line(tmp_path: Path, content: str, says: str) -> None:
@@ -88,7 +92,7 @@ def test_a_wrong_file_names_itself_and_the_line(tmp_path: Path, content: str, sa
 
 
 def test_a_file_that_is_not_there_is_named() -> None:
-    with pytest.raises(StyleError, match=r"nowhere\.toml: No such file"):
+    with pytest.raises(StyleError, match=r"'nowhere\.toml': No such file"):
         parse_style("nowhere.toml")
 
 
@@ -142,3 +146,39 @@ def test_a_description_lists_every_option_with_range_and_default() -> None:
     row = next(line for line in text.splitlines() if line.split()[0] == "ridge_angle")
     assert row.split()[:4] == ["ridge_angle", "120", "0..360", "degrees"]
     assert describe(registry.load("none")).startswith("none: ")
+
+
+@given(
+    st.text()
+    | st.builds("raskar:{}={}".format, st.sampled_from(["ink", "ridges", "ridge_angle"]), st.text())
+    | st.text().map("{}.toml".format)
+)
+@example("\0")
+@example("\0.toml")
+@example("x" * 5000)
+@example("x" * 5000 + ".toml")
+@example("raskar:ridge_angle=1e999")
+def test_any_text_gives_a_style_or_one_line(text: str) -> None:
+    try:
+        assert isinstance(parse_style(text), Styler)
+    except StyleError as error:
+        assert str(error)
+        assert len(str(error).splitlines()) == 1
+
+
+def values(option: Option) -> st.SearchStrategy[object]:
+    """Values of an option that its text can hold."""
+    if option.kind == "number":
+        whole = st.integers(int(option.low or 0) + 1, int(option.high or 0) - 1)
+        return whole.map(lambda number: number / 2 + 0.5)
+    if option.kind == "switch":
+        return st.booleans()
+    colours = st.tuples(*[st.integers(0, 255).map(lambda byte: byte / 255)] * 3)
+    words = [st.sampled_from(option.choices)] if option.choices else []
+    return st.one_of(*([colours] if "colour" in option.kind else []), *words)
+
+
+@given(st.fixed_dictionaries({option.name: values(option) for option in options_of(Raskar)}))
+def test_a_style_written_out_is_read_back(chosen: dict[str, object]) -> None:
+    written = [f"{option.name}={option.show(chosen[option.name])}" for option in options_of(Raskar)]
+    assert parse_style("raskar:" + ",".join(written)) == Raskar(**chosen)  # type: ignore[arg-type]
