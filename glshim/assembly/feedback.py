@@ -2,8 +2,8 @@
 
 GLU quadrics, GLUT solids, evaluators, NURBS, GLE and display lists never pass PyOpenGL vertex by
 vertex, but the driver will say what they draw: modelview identity, a parallel projection of radius
-R, culling off, ``glRenderMode(GL_FEEDBACK)``, draw, undo the viewport. Drawn once filled and once as
-lines: the lines are the true edges, without the diagonals that triangulation adds.
+R, culling off, ``glRenderMode(GL_FEEDBACK)``, draw, undo the viewport. Drawn once filled and once
+as lines: the lines are the true edges, without the diagonals that triangulation adds.
 """
 
 from __future__ import annotations
@@ -194,7 +194,10 @@ def _object_space(
         return np.empty((0, corners, 3), np.float32)
     window = np.concatenate(parts).astype(np.float64)
     scale = np.array([2.0 / _SIDE, 2.0 / _SIDE, -2.0])
-    return ((window * scale + np.array([-1.0, -1.0, 1.0])) * radius).astype(np.float32)
+    space: NDArray[np.float32] = (
+        (window * scale + np.array([-1.0, -1.0, 1.0])) * radius
+    ).astype(np.float32)
+    return space
 
 
 def _batch(

@@ -97,7 +97,8 @@ class VertexFetch:
             if not element_buffer:
                 return None
             indexed = (*self._version(element_buffer), _address(values["indices"]))
-        return ("arrays", current_context(), scalars, pointer, self._version(pointer.buffer), indexed)
+        version = self._version(pointer.buffer)
+        return ("arrays", current_context(), scalars, pointer, version, indexed)
 
     def _part(
         self, mode: int, pointer: _Pointer, indices: tuple[int, NDArray[np.int64] | None, int]
@@ -125,7 +126,8 @@ def _index_runs(
         if "indices" not in values:
             return [(int(values["first"]), None, int(values["count"]))]
         base = int(values.get("basevertex", 0))
-        return [(0, _indices(values["indices"], int(values["type"]), int(values["count"])) + base, 0)]
+        indices = _indices(values["indices"], int(values["type"]), int(values["count"]))
+        return [(0, indices + base, 0)]
     draws = int(values["drawcount"])
     counts = _integers_at(values["count"], draws)
     if "first" in values:
@@ -171,9 +173,8 @@ def _positions(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]
         return np.empty((0, 3), np.float32)
     if not pointer.buffer and not pointer.address:
         raise Unfetchable("the vertex pointer is null")
-    raw = _bytes(
-        pointer.buffer, _ARRAY_BUFFER, pointer.address + first * stride, (count - 1) * stride + width
-    )
+    start, size = pointer.address + first * stride, (count - 1) * stride + width
+    raw = _bytes(pointer.buffer, _ARRAY_BUFFER, start, size)
     strided = np.ndarray((count, pointer.size), dtype, raw, 0, (stride, dtype.itemsize))
     positions = np.zeros((count, 3), np.float32)
     positions[:, : min(pointer.size, 3)] = strided[:, :3]

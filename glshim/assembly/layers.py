@@ -144,7 +144,9 @@ class LayerCollector:
             group = self._primitives[state] = []
         group.append((mode, stream))
 
-    def add_batch(self, state: DrawState, batch: PolygonBatch, camera: Camera | None = None) -> None:
+    def add_batch(
+        self, state: DrawState, batch: PolygonBatch, camera: Camera | None = None
+    ) -> None:
         """Polygons drawn in this state, or under another camera than the state's."""
         self._note(state)
         self._batches.append((batch, camera or state.camera))

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 from typing import Any
 
 from ..spec.attributes import BY_NAME
 
 _ARRAYS = {"d": "GLdoubleArray", "f": "GLfloatArray", "i": "GLintArray", "s": "GLshortArray"}
+_ELEMENTS: dict[str, Any] = {
+    "d": ctypes.c_double, "f": ctypes.c_float, "i": ctypes.c_int, "s": ctypes.c_short,
+}  # fmt: skip
 
 
 def rectangle(name: str, args: tuple[Any, ...]) -> bytes:
@@ -22,14 +26,11 @@ def rectangle(name: str, args: tuple[Any, ...]) -> bytes:
 
 
 def _pair(name: str, value: Any) -> tuple[float, float]:
-    import ctypes
-
     from OpenGL import arrays
 
     match = re.fullmatch(r"glRect([dfis])v", name)
     assert match is not None
     letter = match.group(1)
-    element = {"d": ctypes.c_double, "f": ctypes.c_float, "i": ctypes.c_int, "s": ctypes.c_short}
     address = int(getattr(arrays, _ARRAYS[letter]).dataPointer(value))
-    x, y = (element[letter] * 2).from_address(address)
+    x, y = (_ELEMENTS[letter] * 2).from_address(address)
     return float(x), float(y)

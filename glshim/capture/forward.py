@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -44,8 +45,10 @@ _DEFAULT = np.array([0, 0, 0, 1], np.float32)
 
 _C_TYPES = {"f": "GLfloatArray", "d": "GLdoubleArray", "i": "GLintArray", "s": "GLshortArray",
             "u": "GLubyteArray", "b": "GLbooleanArray"}  # fmt: skip
-_ELEMENTS = {"f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
-             "u": ctypes.c_ubyte, "b": ctypes.c_ubyte}  # fmt: skip
+_ELEMENTS: dict[str, Any] = {
+    "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
+    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte,
+}  # fmt: skip
 
 _calls: list[Callable[[bytes], Any]] = []
 
@@ -54,8 +57,12 @@ def _bare_calls() -> list[Callable[[bytes], Any]]:
     if not _calls:
         for name in REPLAY:
             bare = quick(name)
-            _calls.append(bare if name.endswith("v") else lambda r, bare=bare: bare(int(any(r))))
+            _calls.append(bare if name.endswith("v") else _switch(bare))
     return _calls
+
+
+def _switch(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
+    return lambda record: bare(int(any(record)))
 
 
 def replay(stream: bytes) -> None:
@@ -71,7 +78,7 @@ def worthwhile(stream: bytes) -> bool:
 
 
 def drawable() -> bool:
-    """Whether :func:`draw` is exactly equivalent in the current context. Ask outside a primitive."""
+    """Whether :func:`draw` is exactly equivalent in this context. Ask outside a primitive."""
     return bool(
         current_context()
         and _integer(0x0BB1) < _integer(0x0D3B)  # room on the client attribute stack
@@ -124,7 +131,9 @@ def draw(mode: int, stream: bytes) -> None:
             replay(record)
             continue
         last.append(record)
-        arrays.append((kind, _per_vertex(kind, kinds, rows, vertex_rows, tags, values)))
+        given = _filled(values[rows], SIZE[tags[rows]])
+        which = np.cumsum(kinds == kind)[vertex_rows] - 1
+        arrays.append((kind, _per_vertex(kind, given, which)))
     _draw_arrays(mode, np.ascontiguousarray(positions), arrays)
     for record in last:
         replay(record)
@@ -140,23 +149,20 @@ def _filled(values: NDArray[np.float32], sizes: NDArray[np.int8]) -> NDArray[np.
 
 
 def _per_vertex(
-    kind: int,
-    kinds: NDArray[np.int8],
-    rows: NDArray[np.intp],
-    vertex_rows: NDArray[np.intp],
-    tags: NDArray[np.int32],
-    values: NDArray[np.float32],
+    kind: int, given: NDArray[np.float32], which: NDArray[np.intp]
 ) -> NDArray[np.float32]:
-    """The attribute that is current at each vertex, (V, 3 or 4) float32."""
+    """The attribute that is current at each vertex, (V, 3 or 4) float32.
+
+    ``given`` (N, 4) are the values that were set, ``which`` (V,) says which of them is the last
+    before each vertex; -1 means none was, and the driver's current one holds.
+    """
     _, current_name, components = _ARRAYS[kind]
-    given = _filled(values[rows], SIZE[tags[rows]])
-    which = np.cumsum(kinds == kind)[vertex_rows] - 1
     result = given[which]
     before = which < 0
     if before.any():
         current = (ctypes.c_float * 4)()
         gl.glGetFloatv(current_name, current)
-        result[before] = np.frombuffer(current, np.float32)
+        result[before] = np.array(current, np.float32)
     return np.ascontiguousarray(result[:, :components])
 
 
@@ -166,10 +172,8 @@ def _draw_arrays(
     gl.glPushClientAttrib(0x2)
     for state in _CLIENT_STATES:
         gl.glDisableClientState(state)
-    try:
+    with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
         gl.glBindBuffer(0x8892, 0)
-    except AttributeError:  # OpenGL 1.4 has no buffers to unbind
-        pass
     for unit in range(_texture_units(), -1, -1):
         if unit:
             gl.glClientActiveTexture(0x84C0 + unit)

@@ -53,10 +53,10 @@ def _run_when_initialized(action: Action, module: ModuleType) -> None:
         def __setattr__(self, name: str, value: object) -> None:
             super().__setattr__(name, value)
             if name == "_initializing" and not value:
-                self.__class__ = plain
+                self.__class__ = plain  # type: ignore[assignment]
                 _run(action, module)
 
-    spec.__class__ = Watched  # type: ignore[union-attr]
+    spec.__class__ = Watched
 
 
 class _Finder:

@@ -2,9 +2,9 @@
 
 Every raw GL function is an instance of its own subclass of ``_NullFunctionPointer`` whose ``load``
 puts the ctypes call on the class. We follow ``load`` and put a hook in its place, so the object
-that apps hold stays the same. Wrappers (``glVertex3fv``) and lazy wrappers (``glBegin``) are classes
-of their own too. GLU, GLUT and GLE functions are plain ctypes objects: their ``__class__`` is
-swapped for a subclass that calls the hook.
+that apps hold stays the same. Wrappers (``glVertex3fv``) and lazy wrappers (``glBegin``) are
+classes of their own too. GLU, GLUT and GLE functions are plain ctypes objects: their ``__class__``
+is swapped for a subclass that calls the hook.
 """
 
 from __future__ import annotations
@@ -30,18 +30,21 @@ class _Slot:
         self.static = static
         self.hooked: dict[int, tuple[Maker, Call]] = {}
 
+    def _set(self, call: Any) -> None:
+        type.__setattr__(self.cls, "__call__", call)
+
     def put(self, maker: Maker | None) -> None:
         """Carry the maker's hook, or the original again."""
         if maker is None:
             if self.static:
-                self.cls.__call__ = staticmethod(self.original)  # type: ignore[assignment]
+                self._set(staticmethod(self.original))
             elif "__call__" in vars(self.cls):
                 del self.cls.__call__
             return
         if id(maker) not in self.hooked:
             self.hooked[id(maker)] = (maker, maker(self.original))
         hook = self.hooked[id(maker)][1]
-        self.cls.__call__ = staticmethod(hook) if self.static else hook  # type: ignore[assignment]
+        self._set(staticmethod(hook) if self.static else hook)
 
 
 class RawLayer:
@@ -90,7 +93,7 @@ class RawLayer:
         if not self._undo:  # uninstalled before the import came
             return
 
-        def follow(cls: type, **named: Any) -> None:
+        def follow(cls: Any, /, **named: Any) -> None:
             super(base, cls).__init_subclass__(**named)
             self._adopt_wrapper(cls, base.__call__)
 
@@ -179,6 +182,7 @@ class RawLayer:
 
 
 def _subclasses(base: type) -> Iterator[type]:
+    cls: type
     for cls in base.__subclasses__():
         yield cls
         yield from _subclasses(cls)
@@ -193,7 +197,7 @@ def hook_function(function: Any, hook: Call | None) -> None:
     ``hook=None`` gives the object its own class back. The original stays callable through
     :func:`original_call`.
     """
-    cls = type(function)
+    cls: Any = type(function)
     if getattr(cls, "_glshim_original", None) is not None:
         function.__class__ = cls._glshim_original
         cls = type(function)

@@ -153,7 +153,7 @@ class Recorder:
         self.spill, self.extend = spill, extend
         self.open_list, self.close_list = open_list, close_list
         self.resume, self.finish = resume, finish
-        self.position = lambda: stream.tell()
+        self.position = lambda: stream.tell()  # noqa: PLW0108 - the stream changes
         self.inside = lambda: (deferred or shadow) and not bare
 
         def make_begin(real: Call) -> Call:
@@ -215,7 +215,7 @@ class Recorder:
             tag, pack, size = row.tag, row.pack.pack, row.size
 
             def other(real: Call, args: tuple[Any, ...]) -> Any:
-                """Straight through, or an argument that does not pack: the driver's call decides."""
+                """Straight through, or an argument that does not pack: the driver decides."""
                 args = tuple(a for a in args if a is not _MISSING)
                 spill()
                 result = real(*args)
@@ -229,7 +229,7 @@ class Recorder:
                         try:
                             write(pack(x, tag))
                             return None
-                        except Exception:  # noqa: S110 - the driver's own call tells what is wrong
+                        except Exception:
                             pass
                     return other(real, (x, *more))
 
@@ -241,7 +241,7 @@ class Recorder:
                         try:
                             write(pack(x, y, tag))
                             return None
-                        except Exception:  # noqa: S110
+                        except Exception:
                             pass
                     return other(real, (x, y, *more))
 
@@ -255,7 +255,7 @@ class Recorder:
                         try:
                             write(pack(x, y, z, tag))
                             return None
-                        except Exception:  # noqa: S110
+                        except Exception:
                             pass
                     elif not shadow and z is not _MISSING:
                         return real(x, y, z, *more)
@@ -269,7 +269,7 @@ class Recorder:
                         try:
                             write(pack(*args, tag))
                             return None
-                        except Exception:  # noqa: S110
+                        except Exception:
                             pass
                     return other(real, args)
 
@@ -335,7 +335,7 @@ class Recorder:
                         try:
                             write(pack(*(convert(*v) if convert else v), tag))
                             return None
-                        except Exception:  # noqa: S110 - PyOpenGL's own conversion raises or copes
+                        except Exception:
                             pass
                     return base(this, *((v, *more) if v is not _MISSING else ()))
 

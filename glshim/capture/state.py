@@ -32,8 +32,7 @@ _INTEGERS = (
     ("render_mode", 0x0C40, 1),
     ("program", 0x8B8D, 1),
     ("framebuffer", 0x8CA6, 1),
-    ("clip", 0x3000, 1),
-    ("clip", 0x3001, 1),
+    *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
 _MODELVIEW_BYTES = 64
 _COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)

@@ -38,15 +38,17 @@ def rotation(angle: float, x: float, y: float, z: float) -> Matrix:
     return m
 
 
-def orthographic(l: float, r: float, b: float, t: float, n: float, f: float) -> Matrix:  # noqa: E741
-    """(4, 4) parallel projection (glOrtho)."""
+def orthographic(*box: float) -> Matrix:
+    """(4, 4) parallel projection: left, right, bottom, top, near, far (glOrtho)."""
+    l, r, b, t, n, f = box  # noqa: E741
     m = np.diag([2 / (r - l), 2 / (t - b), -2 / (f - n), 1.0])
     m[:3, 3] = -(r + l) / (r - l), -(t + b) / (t - b), -(f + n) / (f - n)
     return m
 
 
-def frustum(l: float, r: float, b: float, t: float, n: float, f: float) -> Matrix:  # noqa: E741
-    """(4, 4) perspective projection (glFrustum)."""
+def frustum(*box: float) -> Matrix:
+    """(4, 4) perspective projection: left, right, bottom, top, near, far (glFrustum)."""
+    l, r, b, t, n, f = box  # noqa: E741
     return np.array(
         [
             [2 * n / (r - l), 0, (r + l) / (r - l), 0],

@@ -51,8 +51,8 @@ SIGNATURES: dict[str, str] = {
     # small programs of our own in the app's compatibility context
     "glCreateProgram": ">u", "glCreateShader": "u>u", "glShaderSource": "uipp",
     "glCompileShader": "u", "glAttachShader": "uu", "glLinkProgram": "u",
-    "glGetUniformLocation": "up>i", "glIsVertexArray": "u>b", "glUniform4f": "iffff", "glDeleteShader": "u",
-    "glGetProgramiv": "uup",
+    "glGetUniformLocation": "up>i", "glIsVertexArray": "u>b", "glUniform4f": "iffff",
+    "glDeleteShader": "u",     "glGetProgramiv": "uup",
 }  # fmt: skip
 
 

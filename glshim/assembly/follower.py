@@ -1,0 +1,325 @@
+"""Follows the app's draws: what the watch hears becomes polygons in its context's layer."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Hashable
+from typing import Any, Protocol, TypeVar
+
+from ..capture import forward
+from ..capture.raw import RAW
+from ..capture.recorder import RECORDER
+from ..capture.state import DrawState
+from ..notices import say_once
+from ..spec.driver import gl
+from ..spec.roles import Role
+from .evaluators import evaluator_key
+from .fetch import Unfetchable
+from .immediate import POLYGON_MODES, QUADS
+from .lists import Bare, Call, Change, Closing, Opening, Primitive, Shape
+from .rectangles import rectangle
+from .scene import Scene, Scenes
+
+_COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
+_PICK_AREA = 64
+"""A readback of at most so many pixels is an app looking for what lies under the pointer: it gets
+the app's own colours. A larger one is a picture and shows the lines."""
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class Studio(Protocol):
+    """Where finished layers go, and who looks after faults."""
+
+    def layer_ends(self, scene: Scene) -> None:
+        """The depth of the scene's layer is final."""
+
+    def cover(self) -> None:
+        """Polygons that carry lines are about to be drawn by the app."""
+
+    def uncover(self) -> None:
+        """They have been drawn."""
+
+    def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
+        """glFlush or glFinish, which ``call`` makes; it may end a frame."""
+
+    def give_up(self, error: BaseException) -> None:
+        """A fault of ours: no more styling; the app's call goes on."""
+
+
+def contained(method: F) -> F:
+    """A fault of ours ends the styling, never the app's call."""
+
+    @functools.wraps(method)
+    def safe(self: Follower, *args: Any) -> Any:
+        try:
+            return method(self, *args)
+        except Exception as error:
+            self.studio.give_up(error)
+            return None
+
+    return safe  # type: ignore[return-value]
+
+
+class Follower:
+    """A `capture.watch.Watcher` and `capture.clibraries.ShapeWatcher`."""
+
+    def __init__(self, studio: Studio) -> None:
+        self.studio = studio
+        self._scenes = Scenes()
+        self._now: Scene | None = None
+        self._drawing: DrawState | None = None
+        self._reruns: list[tuple[int, Callable[[], Any]]] = []
+
+    # -- primitives ------------------------------------------------------------------------------
+
+    @contained
+    def begin(self, mode: int) -> None:
+        """Before glBegin."""
+        if self._reruns:
+            self._reruns = []
+        self._now = self._scenes.current()
+        self._open(mode in POLYGON_MODES, self._now)
+
+    @contained
+    def end(self, mode: int, stream: bytes) -> None:
+        """After glEnd."""
+        state = self._close()
+        scene = self._now
+        if scene is None or mode not in POLYGON_MODES:
+            return
+        again = self._rerun(mode, stream) if self._reruns else None
+        scene.compile(Shape(None, again) if again else Primitive(mode, stream))
+        if state is not None and again:
+            scene.add_shape(state, None, again)
+        elif state is not None:
+            scene.layer.add_primitive(state, mode, stream)
+
+    def _rerun(self, mode: int, stream: bytes) -> Callable[[], None]:
+        """Says a primitive with evaluated vertices again."""
+        calls = list(self._reruns)
+
+        def draw() -> None:
+            gl.glBegin(mode)
+            at = 0
+            for position, call in calls:
+                forward.replay(stream[at:position])
+                call()
+                at = position
+            forward.replay(stream[at:])
+            gl.glEnd()
+
+        return draw
+
+    @contained
+    def bare(self, stream: bytes) -> None:
+        """An open list has vertices outside any primitive of it."""
+        scene = self._scenes.current()
+        if scene is not None and stream:
+            scene.compile(Bare(stream))
+
+    @contained
+    def stray_end(self) -> None:
+        """An open list ends a primitive that it did not begin."""
+        scene = self._scenes.current()
+        if scene is not None:
+            scene.compile(Closing())
+
+    @contained
+    def unfinished(self, mode: int, stream: bytes) -> None:
+        """An open list leaves the primitive open that it began."""
+        self._close()
+        scene = self._scenes.current()
+        if scene is not None:
+            scene.compile(Opening(mode, stream))
+
+    @contained
+    def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
+        """Something that is legal inside glBegin/glEnd was called there."""
+        scene = self._scenes.current()
+        if scene is None or scene.refused:
+            return
+        if name.startswith("glArrayElement"):
+            scene.array_element(int(args[0]))
+        elif name.startswith("glEval"):
+            self._reruns.append((RECORDER.position(), call))
+        elif name.startswith("glCallList"):
+            finished = scene.list_called_inside(scene.names(name, args))
+            if finished is not None:
+                self.end(*finished)
+
+    # -- draws by role ---------------------------------------------------------------------------
+
+    @contained
+    def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """Before a call by role."""
+        scene = self._scenes.current()
+        if scene is None:
+            return
+        if role in _DRAWS:
+            self._open(True, scene)
+        elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
+            self._open(False, scene)
+        elif role is Role.CLEAR:
+            self._clear(scene, name, args)
+        elif role is Role.READBACK:
+            if not (name.startswith("glRead") and int(args[2]) * int(args[3]) <= _PICK_AREA):
+                self.finish_layer()
+        elif role is Role.TARGET:
+            self.finish_layer()
+        elif role is Role.BUFFER_WRITE:
+            if not scene.refused:
+                scene.fetch.buffer_written(name, args)
+        elif role is Role.LIST_CLOSE:
+            self._scenes.close_list(scene)
+        elif role is Role.LIST_FORGET:
+            scene.lists.forget(int(args[0]), int(args[1]))
+        elif role is Role.CLIP_PLANE:
+            scene.reader.forget()
+
+    def _clear(self, scene: Scene, name: str, args: tuple[Any, ...]) -> None:
+        mask = int(args[0]) if name == "glClear" else _COLOR_AND_DEPTH
+        if mask & _COLOR_AND_DEPTH:
+            self.finish_layer()
+        if mask & _DEPTH_BIT:
+            scene.layer.forget_depth()
+
+    @contained
+    def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """After a call by role, also when it raised."""
+        scene = self._scenes.current()
+        if scene is None or scene.refused:
+            return
+        if role is Role.LIST_OPEN:
+            scene.open_list(int(args[0]), int(args[1]))
+        elif role in (Role.MATRIX, Role.SWITCH):
+            scene.compile(Change.of(name, args))
+        elif role is Role.LIST_CALL:
+            self._lists_called(scene, scene.names(name, args))
+        elif role in _DRAWS:
+            state = self._close()
+            if state is not None or scene.lists.open is not None:
+                self._drawn(scene, state, name, args)
+        elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
+            self._close()
+
+    def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
+        state = self._close()
+        scene.compile(Call(names))
+        if state is not None and scene.lists_called(state, names):
+            self._now, self._drawing = scene, state
+
+    def _drawn(
+        self, scene: Scene, state: DrawState | None, name: str, args: tuple[Any, ...]
+    ) -> None:
+        """An array draw, a rectangle or an evaluated grid."""
+        if name.startswith("glEvalMesh"):
+            call = RAW.original(name)
+            if call is not None:
+                self._shape(scene, state, name, args, functools.partial(call, *args))
+        elif name.startswith("glRect"):
+            stream = rectangle(name, args)
+            scene.compile(Primitive(QUADS, stream))
+            if state is not None:
+                scene.layer.add_primitive(state, QUADS, stream)
+        else:
+            try:
+                batch = scene.fetch.batch(name, args)
+            except Unfetchable as reason:
+                say_once(f"unstyled: {name}, because {reason}")
+                return
+            if batch is not None:
+                scene.compile(batch)
+                if state is not None:
+                    scene.layer.add_batch(state, batch)
+
+    def _shape(
+        self,
+        scene: Scene,
+        state: DrawState | None,
+        name: str,
+        args: tuple[Any, ...],
+        draw: Callable[[], Any],
+    ) -> None:
+        if scene.lists.open is not None:
+            # Its map may be set by the list itself: asked when the list is called.
+            scene.compile(Shape(None, draw))
+        elif state is not None:
+            scene.add_shape(state, evaluator_key(name, args), draw)
+
+    # -- shapes drawn in C -----------------------------------------------------------------------
+
+    @contained
+    def before_shape(self, name: str) -> None:
+        """GLU, GLUT or GLE is about to draw."""
+        self._open(True, self._scenes.current())
+
+    @contained
+    def after_shape(
+        self, name: str, key: Hashable | None, draw: Callable[[], Any] | None, camera_bound: bool
+    ) -> None:
+        """It has drawn."""
+        state = self._close()
+        scene = self._scenes.current()
+        if scene is None or scene.refused or draw is None:
+            return
+        if scene.lists.open is not None:
+            scene.compile(Shape(key, draw))
+        elif state is not None:
+            if camera_bound and key is not None:
+                c = state.camera
+                key = (key, c.modelview.tobytes(), c.projection.tobytes(), c.viewport)
+            scene.add_shape(state, key, draw)
+
+    # -- layers ----------------------------------------------------------------------------------
+
+    def _open(self, polygons: bool, scene: Scene | None) -> None:
+        """A draw begins: the layer may end, and its polygons may carry lines."""
+        self._drawing = None
+        if scene is None or scene.refused or scene.compiles_only:
+            return
+        layer = scene.layer
+        if not polygons and not layer.pending:
+            return
+        state = scene.reader.read()
+        compiling = scene.lists.open is not None
+        if layer.pending and layer.ends_with(state) and not compiling:
+            self.studio.layer_ends(scene)
+        if not polygons:
+            return
+        if layer.carries(state):
+            self._drawing = state
+            if not compiling:
+                self.studio.cover()
+        elif state.obstacle:
+            say_once(f"unstyled: polygons drawn while {state.obstacle}")
+
+    def _close(self) -> DrawState | None:
+        """The draw is over: its state if its polygons carry lines."""
+        state, self._drawing = self._drawing, None
+        if state is not None:
+            self.studio.uncover()
+        return state
+
+    @contained
+    def finish_layer(self) -> None:
+        """The depth of the current context's layer is final."""
+        scene = self._scenes.current()
+        if scene is not None and scene.layer.pending and not scene.lists.open:
+            self.studio.layer_ends(scene)
+
+    @contained
+    def finish_frame(self) -> None:
+        """A toolkit is about to present the current context's picture."""
+        self.finish_layer()
+        scene = self._scenes.current()
+        if scene is not None:
+            scene.layer.forget_depth()
+
+    def flush(self, call: Callable[[], Any]) -> Any:
+        """In place of glFlush or glFinish."""
+        return self.studio.flush(call, self._scenes.current())
+
+
+_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.LIST_CALL))
+"""Roles that draw polygons we can know."""

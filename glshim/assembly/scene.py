@@ -1,0 +1,149 @@
+"""What belongs to one GL context: its lists, buffers, shapes and current layer."""
+
+from __future__ import annotations
+
+import ctypes
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from dataclasses import replace
+from typing import Any
+
+from ..capture.recorder import RECORDER
+from ..capture.state import DrawState, StateReader, unsupported
+from ..spec.attributes import BY_NAME
+from ..spec.driver import current_context, gl
+from . import feedback
+from .batch import PolygonBatch
+from .fetch import VertexFetch
+from .layers import LayerCollector
+from .lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
+
+COMPILE = 0x1300
+_MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
+_MOST_SHAPES = 256
+
+
+class Scene:
+    """The book-keeping of one context. Make it while that context is current."""
+
+    def __init__(self) -> None:
+        self.refused = unsupported()
+        """Why nothing can be styled here; empty when it can."""
+        self.reader = StateReader()
+        self.layer = LayerCollector()
+        self.lists = ListBook()
+        self.fetch = VertexFetch()
+        self._shapes: OrderedDict[Hashable, PolygonBatch | None] = OrderedDict()
+        self._compiling = 0
+
+    # -- display lists ---------------------------------------------------------------------------
+
+    @property
+    def compiles_only(self) -> bool:
+        """A list is open that does not draw while it is compiled."""
+        return self.lists.open is not None and self._compiling == COMPILE
+
+    def open_list(self, name: int, mode: int) -> None:
+        """glNewList."""
+        self.lists.begin(name)
+        self._compiling = mode
+
+    def compile(self, item: Item) -> None:
+        """Note what an open list holds; without an open list, nothing."""
+        if self.lists.open is not None:
+            self.lists.open.items.append(item)
+
+    def names(self, name: str, args: tuple[Any, ...]) -> tuple[int, ...]:
+        """The lists that a LIST_CALL entry point calls."""
+        return list_names(name, args, integer(_LIST_BASE) if name == "glCallLists" else 0)
+
+    def lists_called(self, state: DrawState, names: tuple[int, ...]) -> bool:
+        """Lists were drawn in this state. True when the last one left a primitive open, whose rest
+        is recorded from now on."""
+        for name in names:
+            if self.lists.leaves_open(name):
+                self._resume(name)
+                return True
+            found = self.lists.polygons(
+                name, integer(_MATRIX_MODE), self.polygons, current_context()
+            )
+            if found.relative is not None:
+                self.layer.add_batch(state, found.relative)
+            for batch, modelview in found.absolute:
+                self.layer.add_batch(state, batch, replace(state.camera, modelview=modelview))
+        return False
+
+    def _resume(self, name: int) -> None:
+        for item in self.lists.items(name):
+            if isinstance(item, Opening):
+                RECORDER.resume(item.mode, item.stream)
+
+    def list_called_inside(self, names: tuple[int, ...]) -> tuple[int, bytes] | None:
+        """Lists were called inside a primitive: they add vertices. Mode and stream of the primitive
+        when they ended it."""
+        self.compile(Call(names))
+        for item in (item for name in names for item in self.lists.items(name)):
+            if isinstance(item, Bare):
+                RECORDER.extend(item.stream)
+            elif isinstance(item, Closing):
+                return RECORDER.finish()
+        return None
+
+    # -- vertices and shapes ---------------------------------------------------------------------
+
+    def array_element(self, index: int) -> None:
+        """glArrayElement inside a primitive: its vertex joins the record."""
+        row = BY_NAME["glVertex3f"]
+        RECORDER.extend(row.pack.pack(*self.fetch.element(index), row.tag))
+
+    def polygons(self, key: Hashable | None, draw: Callable[[], Any]) -> PolygonBatch | None:
+        """Polygons of a shape that C code draws, from feedback mode the first time."""
+        if key is None:
+            return feedback.polygons(draw)
+        if key in self._shapes:
+            self._shapes.move_to_end(key)
+            return self._shapes[key]
+        batch = self._shapes[key] = feedback.polygons(draw, ("shape", key))
+        if len(self._shapes) > _MOST_SHAPES:
+            self._shapes.popitem(last=False)
+        return batch
+
+    def add_shape(self, state: DrawState, key: Hashable | None, draw: Callable[[], Any]) -> None:
+        """C code drew a shape in this state."""
+        batch = self.polygons(key, draw)
+        if batch is not None:
+            self.layer.add_batch(state, batch)
+
+
+class Scenes:
+    """The scenes of this process by context."""
+
+    def __init__(self) -> None:
+        self._by_context: dict[int, Scene] = {}
+
+    def current(self) -> Scene | None:
+        """The current context's scene; None without a context."""
+        handle = current_context()
+        if not handle:
+            return None
+        scene = self._by_context.get(handle)
+        if scene is None:
+            scene = self._by_context[handle] = Scene()
+        return scene
+
+    def close_list(self, scene: Scene) -> None:
+        """glEndList. Other contexts may share the list that changed."""
+        name = scene.lists.end()
+        if name is not None:
+            for other in self._by_context.values():
+                if other is not scene:
+                    other.lists.redefined_elsewhere(name)
+
+
+def integer(name: int) -> int:
+    """One integer of the driver's state."""
+    value = ctypes.c_int(0)
+    gl.glGetIntegerv(name, ctypes.byref(value))
+    return value.value
+
+
