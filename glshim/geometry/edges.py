@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
@@ -78,12 +79,12 @@ class Edges:
 
     @cached_property
     def folds(self) -> Doubles:
-        """(N,) dihedral angle of each pair on the winding side of its first, radians 0..2 pi."""
+        """(N,) `dihedral` angle of each pair, seen from the winding side of its first."""
         return self.fold(*self.pairs)
 
     def fold(self, first: Indices, second: Indices, modelview: Doubles | None = None) -> Doubles:
-        """(N,) dihedral angles of pairs of sides, on the winding side of first, radians 0..2 pi,
-        in object space or in the space that a (4, 4) modelview leads to."""
+        """(N,) `dihedral` angles of pairs of sides, seen from the winding side of first, in
+        object space or in the space that a (4, 4) modelview leads to."""
         one, other = (self.planes[self.polygon[side], :3] for side in (first, second))
         other = np.where((self.forward[first] != self.forward[second])[:, None], other, -other)
         along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
@@ -100,10 +101,10 @@ class Edges:
 
 
 def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
-    """The angle between polygons on the side that their normals point to, radians 0..2 pi.
+    """The angle between polygons behind their normals (in the material), radians 0..2 pi.
 
     Raskar 2001, section 2.2: 180 degrees where they are coplanar, less on a ridge, more in a
-    valley. All (N, 3); along is the shared side as the first polygon winds.
+    valley. All (N, 3), the normals unit; along is the shared side as the first polygon winds.
     """
     length = np.sqrt(np.einsum("ij,ij->i", along, along))
     lift = np.einsum("ij,ij->i", along, _cross(first, second)) / np.maximum(length, 1e-300)
@@ -172,8 +173,8 @@ def _neighbours(sides: Floats) -> tuple[Indices, Indices, Flags]:
     """
     if not len(sides):
         return np.empty(0, np.intp), np.empty(0, np.intp), np.empty(0, np.bool_)
-    low = sides[:, 0:3].min(axis=0).astype(np.float64)
-    extent = max(float((sides[:, 0:3].max(axis=0) - low).max()), 1e-300)
+    low = np.array([sides[:, axis].min() for axis in range(3)], np.float64)
+    extent = max(*(float(sides[:, axis].max()) - low[axis] for axis in range(3)), 1e-300)
     key, forward = _edge_keys(sides, low, extent, *_CELLS[0])
     order, first = _runs(key)
     for cells, shift in _CELLS[1:]:
@@ -225,11 +226,15 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
     """
     count, size = flags.shape
     with np.errstate(invalid="ignore", over="ignore"):
-        centre = points.mean(axis=1, dtype=np.float64)
-        spokes = points - centre[:, None, :]
-        normal = _area_vector(spokes)
+        exact = points.astype(np.float64)
+        centre = exact[:, 0] + exact[:, 1]
+        for corner in range(2, size):
+            centre += exact[:, corner]
+        centre /= size
+        exact -= centre[:, None, :]
+        normal = _area_vector(exact)
         length = np.sqrt(np.einsum("pi,pi->p", normal, normal))
-        extent = np.einsum("pni,pni->p", spokes, spokes)
+        extent = np.einsum("pni,pni->p", exact, exact)
         grain = _GRAIN * (np.abs(centre).max(axis=1, initial=0.0) + np.sqrt(extent))
         sound = (length > grain * np.sqrt(extent)) & np.isfinite(extent)
     if not sound.all():
@@ -237,14 +242,15 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
         centre, length, grain = centre[sound], length[sound], grain[sound]
         count = len(flags)
     planes = np.empty((count, 4))
-    planes[:, :3] = normal / length[:, None]
+    np.divide(normal, length[:, None], out=planes[:, :3])
     planes[:, 3] = -np.einsum("pi,pi->p", planes[:, :3], centre)
-    sides = np.empty((count, size, 9), np.float32)
-    for corner in range(size):
-        for ahead in range(3):
-            sides[:, corner, 3 * ahead : 3 * ahead + 3] = points[:, (corner + ahead) % size]
-    step = sides[:, :, 3:6] - sides[:, :, 0:3]
-    still = np.einsum("pni,pni->pn", step, step) <= (grain * grain)[:, None]
+    # Each side reads three corners in a row: overlapping views of the corners, two repeated.
+    rows = np.concatenate((points, points[:, :2]), axis=1)
+    sides = np.array(sliding_window_view(rows.reshape(count, 3 * size + 6), 9, axis=1)[:, ::3])
+    step = points - rows[:, 1 : size + 1]
+    limit = grain.astype(np.float32)[:, None]
+    still = (np.abs(step[..., 0]) <= limit) & (np.abs(step[..., 1]) <= limit)
+    still &= np.abs(step[..., 2]) <= limit
     if still.any():  # a repeated corner: the line turns at the next distinct one
         turn = np.roll(still, -1, axis=1)
         sides[turn, 6:9] = np.roll(points, -3, axis=1)[turn]

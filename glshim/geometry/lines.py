@@ -82,7 +82,7 @@ def choose(edges: Edges, camera: Camera, choice: Choice) -> NDArray[np.float32]:
 
 
 def _seen_folds(edges: Edges, camera: Camera, across: Flags, ccw: Flags) -> Doubles:
-    """Dihedral angles (radians, eye space, on the viewer's side) of the pairs in across."""
+    """Dihedral angles (radians, eye space) as the viewer sees them, of the pairs in across."""
     first, second = (sides[across] for sides in edges.pairs)
     if _is_similarity(camera.modelview):
         fold, mirrored = edges.folds[across], camera.mirrored

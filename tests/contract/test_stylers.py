@@ -1,0 +1,67 @@
+"""What every installed styler keeps to."""
+
+from __future__ import annotations
+
+import dataclasses
+import pickle
+
+import numpy as np
+import pytest
+
+from glshim.errors import StyleError
+from glshim.geometry.camera import Camera
+from glshim.styling import registry
+from glshim.styling.protocol import Draw, Layer, Styler, options_of
+from tests import look
+
+
+@pytest.fixture(params=registry.names())
+def styler(request) -> type[Styler]:
+    return registry.load(request.param)
+
+
+def layer() -> Layer:
+    camera = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))
+    return Layer(((look.cube(), camera), (look.torus(), camera)))
+
+
+def test_it_is_a_frozen_dataclass_under_its_own_name(styler):
+    assert styler.name in registry.names()
+    assert registry.load(styler.name) is styler
+    assert dataclasses.is_dataclass(styler)
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        styler().extra = 1
+    assert styler() == styler() == pickle.loads(pickle.dumps(styler()))
+
+
+def test_every_field_is_an_option_with_help_and_bounds_that_hold(styler):
+    assert [f.name for f in dataclasses.fields(styler)] == [o.name for o in options_of(styler)]
+    for described in options_of(styler):
+        assert described.help
+        assert described.check(described.default) == described.default
+        assert getattr(styler(), described.name) == described.default
+        if described.kind == "number":
+            for edge in (described.low, described.high):
+                assert getattr(styler(**{described.name: edge}), described.name) == edge
+            with pytest.raises(StyleError):
+                styler(**{described.name: described.high + 1})
+
+
+def test_draws_are_pure_and_plain(styler):
+    one = layer()
+    before = [b.positions.copy() for b, _ in one.items]
+    first, second = list(styler().draws(one)), list(styler().draws(one))
+    assert first == second
+    assert all((b.positions == c).all() for (b, _), c in zip(one.items, before, strict=True))
+    for draw in first:
+        assert isinstance(draw, Draw)
+        for value in draw.uniforms.values():
+            assert np.isfinite(np.asarray(value, float)).all()
+    assert styler().surface in ("app", "none") or len(styler().surface) == 3
+
+
+def test_a_styler_that_wants_no_polygons_draws_nothing(styler):
+    if not styler.wants_polygons:
+        assert list(styler().draws(layer())) == []
+    else:
+        assert list(styler().draws(layer()))

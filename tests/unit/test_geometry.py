@@ -1,0 +1,268 @@
+"""Edges, lines and cameras, without GL."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from glshim.assembly.batch import PolygonBatch
+from glshim.geometry.camera import Camera, cofactors
+from glshim.geometry.edges import dihedral, edges, join
+from glshim.geometry.gather import moved, placed, together
+from glshim.geometry.lines import FIN, LONE_RIDGE, RECORD, RIDGE, RING, Choice, choose
+from tests import look
+
+BOTH = Choice(True, np.radians(120.0))
+VIEW = (0, 0, 400, 400)
+
+
+def camera(modelview=None, projection=None, **more):
+    modelview = look.look_at((3, 2, 2.5)) if modelview is None else modelview
+    return Camera(modelview, look.perspective() if projection is None else projection, VIEW, **more)
+
+
+def kinds(records):
+    return {k: int((records[:, 13] == k).sum()) for k in (RING, RIDGE, LONE_RIDGE, FIN)}
+
+
+# edges
+
+
+def test_a_cube_has_twelve_edges_of_two_sides():
+    found = edges(look.cube())
+    assert len(found) == 24
+    assert len(found.pairs[0]) == 12 and not len(found.singles) and not len(found.crowds[0])
+    assert np.allclose(found.folds, np.pi / 2)
+    assert (found.forward[found.pairs[0]] != found.forward[found.pairs[1]]).all()
+    for side, plane in zip(found.sides, found.planes[found.polygon], strict=True):
+        a, b, c = side.reshape(3, 3)
+        outward = np.cross(b - a, c - b)
+        assert np.allclose(outward / np.linalg.norm(outward), plane[:3], atol=1e-6)
+        assert abs(plane[:3] @ a + plane[3]) < 1e-6
+
+
+def test_inside_out_folds_are_the_complement():
+    mesh = look.cube()
+    turned = look.batch(mesh.positions, [p[::-1] for p in look.polygons_of(mesh)])
+    assert np.allclose(edges(turned).folds, 3 * np.pi / 2)
+
+
+def test_boundary_false_sides_give_nothing_and_split_nothing():
+    whole = look.batch([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [[0, 1, 2, 3]])
+    split = look.batch(whole.positions, [[0, 1, 2], [0, 2, 3]])
+    split.boundary[[2, 3]] = False
+    assert len(edges(whole)) == len(edges(split)) == 4
+    assert len(edges(split).singles) == 4
+
+
+BAD = {
+    "nan": [(0, 0, 0), (1, 0, 0), (np.nan, 1, 0)],
+    "inf": [(0, 0, 0), (np.inf, 0, 0), (0, 1, 0)],
+    "line": [(0, 0, 0), (1, 1, 1), (2, 2, 2)],
+    "point": [(1, 2, 3)] * 3,
+    "two corners": [(0, 0, 0), (1, 0, 0), (0, 0, 0)],
+    "sliver": [(5, 5, 5), (6, 5, 5), (5.5, 5.0000005, 5)],
+    "huge": [(1e38, 0, 0), (-1e38, 0, 0), (0, np.inf, 1e38)],
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_polygons_without_a_plane_are_dropped_and_harm_no_other(name):
+    good = look.cube()
+    points = np.concatenate([good.positions, np.array(BAD[name], np.float32)])
+    polygons = [*look.polygons_of(good)[:3], [8, 9, 10], *look.polygons_of(good)[3:]]
+    with np.errstate(all="raise"):
+        found = edges(look.batch(points, polygons))
+    assert np.isfinite(found.sides).all() and np.isfinite(found.planes).all()
+    assert len(found) == 24 and len(found.pairs[0]) == 12
+
+
+def test_poles_of_a_sphere_close_and_turn_at_distinct_corners():
+    found = edges(look.sphere())
+    assert not len(found.singles) and not len(found.crowds[0])
+    a, b, c = found.sides.reshape(-1, 3, 3).transpose(1, 0, 2)
+    assert (np.abs(a - b).max(axis=1) > 0).all() and (np.abs(b - c).max(axis=1) > 0).all()
+
+
+def test_a_seam_computed_twice_is_found_again():
+    rng = np.random.default_rng(3)
+    mesh = look.torus()
+    soup = mesh.positions[mesh.corners]
+    soup = soup + rng.uniform(-2e-7, 2e-7, soup.shape)
+    found = edges(look.batch(soup, np.arange(len(soup)).reshape(-1, 4)))
+    assert len(found.singles) <= 0.01 * len(found)
+
+
+def test_concave_and_warped_polygons_have_newells_normal():
+    star = [(np.cos(a) * r, np.sin(a) * r, 0.0)
+            for a, r in zip(np.arange(10) * np.pi / 5, [1, 0.3] * 5, strict=True)]  # fmt: skip
+    found = edges(look.batch(star, [list(range(10))]))
+    assert np.allclose(found.planes[0], (0, 0, 1, 0), atol=1e-6)
+    warped = look.batch([(0, 0, 0.1), (1, 0, -0.1), (1, 1, 0.1), (0, 1, -0.1)], [[0, 1, 2, 3]])
+    assert np.allclose(edges(warped).planes[0, :3], (0, 0, 1), atol=1e-6)
+
+
+def test_joined_batches_are_one_object():
+    mesh = look.cube()
+    parts = [look.batch(mesh.positions, [p]) for p in look.polygons_of(mesh)]
+    assert len(edges(join(parts)).pairs[0]) == 12
+    assert join(parts[:1]) is parts[0]
+
+
+def test_no_polygons():
+    empty = PolygonBatch(np.empty((0, 3), np.float32), np.empty(0, np.int32),
+                         np.zeros(1, np.int32), np.empty(0, bool))  # fmt: skip
+    assert len(edges(empty)) == 0
+    assert choose(edges(empty), camera(), BOTH).shape == (0, RECORD)
+
+
+@given(st.floats(1.0, 359.0))
+def test_dihedral_is_the_turn_between_the_polygons(degrees):
+    turn = np.radians(degrees)
+    along = np.array([[0.0, 0.0, 2.0]])
+    # The first polygon leaves the side towards -x with normal +y; the other is turned by the angle
+    # about the side, through the space behind.
+    first = np.array([[0.0, 1.0, 0.0]])
+    second = np.array([[np.sin(turn), -np.cos(turn), 0.0]])
+    assert np.degrees(dihedral(-along, first, second)[0]) == pytest.approx(degrees, abs=1e-6)
+
+
+# lines
+
+
+@pytest.mark.parametrize("projection", [look.perspective(), look.orthographic()])
+def test_a_cube_shows_six_silhouettes_and_three_ridges(projection):
+    assert kinds(choose(edges(look.cube()), camera(None, projection), BOTH)) == {
+        RING: 6, RIDGE: 6, LONE_RIDGE: 0, FIN: 0}  # fmt: skip
+
+
+@pytest.mark.parametrize("angle, count", [(89.0, 0), (90.0, 6), (91.0, 6), (0.0, 0), (360.0, 24)])
+def test_ridges_fold_at_most_by_the_threshold(angle, count):
+    """At 360 degrees every edge with polygons on both sides of it counts, seen or not."""
+    found = kinds(choose(edges(look.cube()), camera(), Choice(False, np.radians(angle))))
+    assert found[RING] == found[FIN] == 0
+    assert found[RIDGE] == (count if angle < 360 else 12)
+
+
+def test_angles_are_measured_in_eye_space():
+    """A box squeezed into a shear has ridges by its angles as seen, not as stored."""
+    squash = np.array([[1, 0.9, 0, 0], [0, 0.4, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    tilted = camera(look.look_at((3, 2, 2.5)) @ squash)
+    shaped = moved(look.cube(), squash)
+    for angle in (40.0, 70.0, 100.0, 150.0):
+        choice = Choice(False, np.radians(angle))
+        assert kinds(choose(edges(look.cube()), tilted, choice)) == kinds(
+            choose(edges(shaped), camera(), choice)
+        )
+
+
+@pytest.mark.parametrize("front_ccw", [True, False])
+@pytest.mark.parametrize("mirror", [(1, 1, 1), (-1, 1, 1), (1, -1, -1), (-1, -1, -1), (2, -0.5, 1)])
+def test_silhouettes_do_not_depend_on_the_winding(front_ccw, mirror):
+    scale = np.diag([*mirror, 1.0])
+    plain = choose(edges(moved(look.torus(), scale)), camera(), Choice(True, None))
+    turned = camera(look.look_at((3, 2, 2.5)) @ scale, front_ccw=front_ccw)
+    found = choose(edges(look.torus()), turned, Choice(True, None))
+    assert len(found) == len(plain)
+    ends, wanted = found[:, 0:3] * mirror, np.concatenate([plain[:, 0:3], plain[:, 3:6]])
+    assert (np.abs(ends[:, None] - wanted).max(axis=2).min(axis=1) < 1e-5).all()
+
+
+def test_an_open_side_is_outlined_whatever_its_facing():
+    square = look.batch([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [[0, 1, 2, 3]])
+    above, below = camera(), camera(look.look_at((3, 2, -2.5)))
+    assert kinds(choose(edges(square), above, BOTH)) == {RING: 0, RIDGE: 0, LONE_RIDGE: 4, FIN: 4}
+    assert kinds(choose(edges(square), below, BOTH)) == {RING: 0, RIDGE: 0, LONE_RIDGE: 0, FIN: 4}
+
+
+def test_a_doubled_surface_has_the_silhouettes_of_one():
+    mesh = look.torus()
+    polygons = look.polygons_of(mesh)
+    doubled = look.batch(mesh.positions, [*polygons, *(p[::-1] for p in polygons)])
+    one = choose(edges(mesh), camera(), Choice(True, None))
+    two = choose(edges(doubled), camera(), Choice(True, None))
+
+    def places(records):
+        return {frozenset(map(tuple, (r[:3], r[3:6]))) for r in np.round(records.astype(float), 5)}
+
+    assert places(one) == places(two)
+
+
+# cameras
+
+
+@given(st.integers(0, 10_000))
+def test_centre_tells_the_winding_in_the_window(seed):
+    rng = np.random.default_rng(seed)
+    flipped = np.diag([-1.0, 1, 1, 1]) @ look.perspective()
+    aside = look.perspective() @ look.look_at((1, 2, 3))
+    projection = (look.perspective(), look.orthographic(), flipped, aside)[seed % 4]
+    modelview = rng.normal(size=(4, 4))
+    modelview[3] = (0, 0, 0, 1)
+    modelview[:3, 3] = (0.1, -0.2, -9.0)
+    seen = Camera(modelview, projection, VIEW)
+    triangle = rng.normal(size=(3, 3))
+    normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
+    clip = np.c_[triangle, np.ones(3)] @ (projection @ modelview).T
+    if (clip[:, 3] <= 0).any():
+        return
+    x, y = (clip[:, :2] / clip[:, 3:]).T
+    area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+    found = np.append(normal, -normal @ triangle[0]) @ seen.object_centre
+    if abs(area) > 1e-9:
+        assert np.sign(found) == np.sign(area)
+
+
+def test_mirrored():
+    assert not camera().mirrored
+    assert not camera(None, look.orthographic()).mirrored
+    assert camera(look.look_at((3, 2, 2)) @ np.diag([1, -1, 1, 1.0])).mirrored
+    assert camera(None, np.diag([1, -1, 1, 1.0]) @ look.perspective()).mirrored
+    both = camera(look.look_at((3, 2, 2)) @ np.diag([1, -1, 1, 1.0]),
+                  np.diag([-1.0, 1, 1, 1]) @ look.orthographic())  # fmt: skip
+    assert not both.mirrored
+
+
+def test_viewpoint_is_the_eye_or_the_way_to_it():
+    assert np.allclose(camera().viewpoint, (0, 0, 0, 1))
+    assert np.allclose(camera(None, look.orthographic()).viewpoint, (0, 0, 1, 0))
+    aside = look.perspective() @ look.look_at((1, 2, 3))
+    assert np.allclose(camera(np.eye(4), aside).viewpoint, (1, 2, 3, 1))
+
+
+def test_cofactors_take_areas_along():
+    rng = np.random.default_rng(1)
+    m = rng.normal(size=(5, 4, 4))
+    u, v = rng.normal(size=(2, 3))
+    wanted = [np.cross(k[:3, :3] @ u, k[:3, :3] @ v) for k in m]
+    assert np.allclose(cofactors(m) @ np.cross(u, v), wanted)
+
+
+def test_a_projection_on_the_modelview_stack_is_made_affine():
+    odd = Camera(look.perspective() @ look.look_at((3, 2, 2)), np.eye(4), VIEW,
+                 clip_planes=((1, 2, 3, 4),))  # fmt: skip
+    plain = odd.affine()
+    assert (plain.modelview == np.eye(4)).all()
+    point = np.array((0.3, -0.2, 0.5, 1.0))
+    assert np.allclose(plain.projection @ point, odd.projection @ odd.modelview @ point)
+    assert plain.clip_planes[0] @ point == pytest.approx((1, 2, 3, 4) @ (odd.modelview @ point))
+    assert camera().affine().modelview is not None
+
+
+# gathering
+
+
+def test_copies_in_eye_space_are_the_moved_batches():
+    rng = np.random.default_rng(2)
+    modelviews = np.tile(np.eye(4), (3, 1, 1))
+    modelviews[:, :3] = rng.normal(size=(3, 3, 4))
+    every = placed(edges(look.cube()), modelviews)
+    alone = together([edges(moved(look.cube(), m)) for m in modelviews])
+    assert np.allclose(every.sides, alone.sides, atol=1e-5)
+    assert np.allclose(every.planes, alone.planes, atol=1e-4)
+    assert (every.polygon == alone.polygon).all()
+    assert len(every.pairs[0]) == len(alone.pairs[0]) == 36
+    assert np.allclose(np.sort(every.folds), np.sort(alone.folds), atol=1e-4)
+    assert together([every]) is every
