@@ -100,6 +100,7 @@ def _wait_for(command: list[str], environ: dict[str, str]) -> int:
 def _leave_like(status: int) -> int:
     """A program that a signal ended ends us by the same signal."""
     if status < 0:
-        signal.signal(-status, signal.SIG_DFL) if -status != signal.SIGKILL else None
+        with suppress(OSError):  # SIGKILL has no handler to put back
+            signal.signal(-status, signal.SIG_DFL)
         os.kill(os.getpid(), -status)
     return status

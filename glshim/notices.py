@@ -24,5 +24,7 @@ def say_once(line: str) -> None:
 
 
 def say_fault(what: str, error: BaseException) -> None:
-    """A fault of ours with its traceback; `what` says what happens now."""
-    say_once(what + "\n" + "".join(traceback.format_exception(error)).rstrip())
+    """A fault of ours with its traceback, once; `what` says what happens now."""
+    if what not in _said:
+        _said.add(what)
+        say(what + "\n" + "".join(traceback.format_exception(error)).rstrip())

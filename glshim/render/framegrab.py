@@ -73,10 +73,13 @@ class FrameWriter:
         self._number += 1
         if not self._usable:
             return
+        size = self._size()
+        if size is not None and 0 in size:  # a minimised window has no picture
+            return
         path = Path(self._numbered())
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            grab(self._size()).save(path)
+            grab(size).save(path)
         except OSError as error:
             self._usable = False
             say(f"cannot write {path}: {error.strerror or error}; no more frames are written")
