@@ -6,8 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
+from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle
 
@@ -119,3 +121,92 @@ def _widths(changed, segment, others, width):
         ink = changed[at[..., 1], at[..., 0]]
         found.append(ink.sum() * fine * fine / span)
     return np.array(found)
+
+
+def _grid_cube(n, half=0.9):
+    """A cube whose faces are n x n quads."""
+    points, quads = [], []
+    for axis in range(3):
+        for sign in (-1, 1):
+            first = len(points)
+            for i in range(n + 1):
+                for j in range(n + 1):
+                    p = np.empty(3)
+                    p[axis] = sign
+                    p[(axis + 1) % 3], p[(axis + 2) % 3] = 2 * i / n - 1, 2 * j / n - 1
+                    points.append(half * p)
+            for i in range(n):
+                for j in range(n):
+                    a = first + i * (n + 1) + j
+                    quad = [a, a + n + 1, a + n + 2, a + 1]
+                    quads.append(quad if sign > 0 else quad[::-1])
+    return look.batch(points, quads)
+
+
+@pytest.mark.parametrize("width", [3.0, 12.0])
+@pytest.mark.parametrize("eye", [(1.3, 0.95, 0.3), (0.95, -1.0, 0.2), (0.2, 0.3, 0.1)])
+def test_sides_that_cross_the_near_plane_are_cut_there(backend, eye, width):
+    """One polygon a face, some of whose sides pass behind the eye, inks what a fine grid does."""
+    style = Raskar(silhouette_width=width, ridge_width=width, ridge_angle=120)
+    ink = []
+    for mesh in (look.cube(), _grid_cube(60)):
+        camera = Camera(
+            look.look_at(eye, (0.0, 0.4, 0.2)), look.perspective(75, near=0.05), (0, 0, SIZE, SIZE)
+        )
+        before, after, _ = look.styled(backend, style, (mesh, camera))
+        ink.append((before != after).any(axis=2))
+    for one, other in (ink, ink[::-1]):
+        far = one & ~oracle.near(np.argwhere(other)[:, ::-1] + 0.5, one.shape, 2.0)
+        assert not far.any(), np.argwhere(far)[:5]
+
+
+def test_negative_scale_and_clockwise_windings_give_the_same_lines(backend):
+    """A mirrored modelview, and a mesh wound the other way, with and without glFrontFace."""
+    style = Raskar(silhouette_width=4, ridge_width=4)
+    mesh = look.cylinder()
+    mirror = np.diag([1.0, 1.0, -1.0, 1.0])
+    mirrored = look.batch(mesh.positions * (1, 1, -1), look.polygons_of(mesh))
+    view, projection = look.look_at((3, 2, 2.5)), look.perspective()
+    pictures = []
+    for subject, modelview in ((mesh, view), (mesh, view @ mirror), (mirrored, view)):
+        for front_ccw in (True, False):
+            camera = Camera(modelview, projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw)
+            pictures.append(look.styled(backend, style, (subject, camera))[1])
+    different = [(picture != pictures[0]).any(axis=2).mean() for picture in pictures]
+    assert max(different) < 2e-3, different  # a cylinder is its own mirror image
+
+
+def test_a_bowl_is_not_blackened_inside(backend):
+    mesh = look.bowl()
+    camera = Camera(look.look_at((0.3, 0.2, 5)), look.perspective(), (0, 0, SIZE, SIZE))
+    before, after, _ = look.styled(backend, Raskar(), (mesh, camera))
+    inside = (before == 204).all(axis=2)
+    assert inside.sum() > 10_000
+    assert (before != after).any(axis=2)[inside].mean() < 0.001
+
+
+def test_batches_with_and_without_key_alone_and_together_draw_alike(backend):
+    """Static, streamed, gathered: one picture."""
+    style = Raskar(silhouette_width=5, ridge_width=3)
+    view = look.look_at((4, 3, 3))
+    places = [np.eye(4) for _ in range(3)]
+    for k, place in enumerate(places):
+        place[:3, 3] = (0, 1.3 * (k - 1), 0)
+    mesh = look.cube(0.5)
+    pictures = []
+    for key in (None, "cube"):
+        keyed = PolygonBatch(mesh.positions, mesh.corners, mesh.starts, mesh.boundary, key)
+        items = [
+            (keyed, Camera(view @ place, look.perspective(), (0, 0, SIZE, SIZE)))
+            for place in places
+        ]
+        pictures.append(look.styled(backend, style, *items)[1])
+        pictures.append(look.styled(backend, style, *items)[1])
+    look.clear()
+    for item in items:
+        look.draw_base(*item)
+    for item in items:
+        backend.render(style.draws(Layer((item,))))
+    pictures.append(look.pixels())
+    for picture in pictures:
+        assert (picture != pictures[0]).any(axis=2).mean() < 2e-4
