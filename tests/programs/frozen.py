@@ -370,7 +370,7 @@ def main() -> None:
              "glfw": freeze_glfw, "PyQt5.QtWidgets": freeze_qt}
     sys.meta_path.insert(0, AfterImport(
         {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))
-    recorder.watch(patience=1.5)
+    recorder.watch(patience=10.0)
     sys.path.pop(0)  # this folder is none of the program's business
     if command[0] == "-m":
         sys.argv = command[1:]
