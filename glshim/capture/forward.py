@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..spec.attributes import (
+    BY_NAME,
     COLOR,
-    EDGE_FLAG,
     KIND,
     NORMAL,
     RECORD_BYTES,
@@ -40,8 +40,12 @@ _ARRAYS = {  # kind: (client state, glGet of the current value, components of th
     TEXCOORD: (0x8078, 0x0B03, 4),
 }
 _VERTEX_ARRAY = 0x8074
+_ENABLED = 0x8622
+_EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
 _CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
-_DEFAULT = np.array([0, 0, 0, 1], np.float32)
+_LONGEST_PERIOD = 4
+_Array = tuple[int, int, int]
+"""Kind, components and address."""
 
 _C_TYPES = {"f": "GLfloatArray", "d": "GLdoubleArray", "i": "GLintArray", "s": "GLshortArray",
             "u": "GLubyteArray", "b": "GLbooleanArray"}  # fmt: skip
@@ -74,7 +78,7 @@ def replay(stream: bytes) -> None:
 
 def worthwhile(stream: bytes) -> bool:
     """Whether a stream is large enough, and of a kind, to be drawn from arrays."""
-    return len(stream) >= SMALL and not bool((KIND[decode(stream)[0]] == EDGE_FLAG).any())
+    return len(stream) >= SMALL and not bool((decode(stream)[0] == _EDGE_FLAG_TAG).any())
 
 
 def drawable() -> bool:
@@ -111,6 +115,10 @@ def draw(mode: int, stream: bytes) -> None:
     first call of an attribute get the current one, as in immediate mode.
     """
     tags, values = decode(stream)
+    period = _period(tags)
+    if period:
+        _draw_regular(mode, stream, tags[:period], len(tags) // period)
+        return
     kinds = KIND[tags]
     vertex_rows = np.flatnonzero(kinds == VERTEX)
     if not len(vertex_rows):
@@ -119,8 +127,9 @@ def draw(mode: int, stream: bytes) -> None:
     sizes = SIZE[tags[vertex_rows]]
     size = int(sizes.max())
     positions = _filled(values[vertex_rows], sizes)[:, :size]
-    arrays: list[tuple[int, NDArray[np.float32]]] = []
+    arrays: list[_Array] = []
     last: list[bytes] = []
+    kept: list[NDArray[np.float32]] = []  # alive until they are drawn
     for kind in (NORMAL, COLOR, TEXCOORD):
         rows = np.flatnonzero(kinds == kind)
         if not len(rows):
@@ -133,10 +142,35 @@ def draw(mode: int, stream: bytes) -> None:
         last.append(record)
         given = _filled(values[rows], SIZE[tags[rows]])
         which = np.cumsum(kinds == kind)[vertex_rows] - 1
-        arrays.append((kind, _per_vertex(kind, given, which)))
-    _draw_arrays(mode, np.ascontiguousarray(positions), arrays)
+        array = _per_vertex(kind, given, which)
+        kept.append(array)
+        arrays.append((kind, array.shape[1], array.ctypes.data))
+    positions = np.ascontiguousarray(positions)
+    arrays.append((VERTEX, size, positions.ctypes.data))
+    _draw_arrays(mode, len(positions), arrays, 0)
     for record in last:
         replay(record)
+
+
+def _period(tags: NDArray[np.int32]) -> int:
+    """Records a vertex when every vertex comes with the same calls before it, else 0."""
+    head = KIND[tags[:_LONGEST_PERIOD]]
+    vertices = np.flatnonzero(head == VERTEX)
+    period = int(vertices[0]) + 1 if len(vertices) else 0
+    if not period or len(tags) % period or len(set(head[:period].tolist())) < period:
+        return 0
+    regular = bool((tags.reshape(-1, period) == tags[:period]).all())
+    return period if regular else 0
+
+
+def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], count: int) -> None:
+    """The stream is an interleaved array as it stands: nothing is copied."""
+    base = int(np.frombuffer(stream, np.uint8).ctypes.data)
+    arrays = [
+        (int(KIND[tag]), int(SIZE[tag]), base + i * RECORD_BYTES) for i, tag in enumerate(tags)
+    ]
+    _draw_arrays(mode, count, arrays, len(tags) * RECORD_BYTES)
+    replay(stream[-len(tags) * RECORD_BYTES : -RECORD_BYTES])
 
 
 def _filled(values: NDArray[np.float32], sizes: NDArray[np.int8]) -> NDArray[np.float32]:
@@ -166,32 +200,47 @@ def _per_vertex(
     return np.ascontiguousarray(result[:, :components])
 
 
-def _draw_arrays(
-    mode: int, positions: NDArray[np.float32], arrays: list[tuple[int, NDArray[np.float32]]]
-) -> None:
+def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> None:
+    """One glDrawArrays from these arrays alone."""
     gl.glPushClientAttrib(0x2)
     for state in _CLIENT_STATES:
         gl.glDisableClientState(state)
     with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
         gl.glBindBuffer(0x8892, 0)
     for unit in range(_texture_units(), -1, -1):
-        if unit:
-            gl.glClientActiveTexture(0x84C0 + unit)
-            gl.glDisableClientState(0x8078)
-    gl.glClientActiveTexture(0x84C0)
-    gl.glDisableClientState(0x8078)
-    gl.glEnableClientState(_VERTEX_ARRAY)
-    gl.glVertexPointer(positions.shape[1], _GL_FLOAT, 0, positions.ctypes.data)
-    for kind, array in arrays:
-        gl.glEnableClientState(_ARRAYS[kind][0])
-        if kind == NORMAL:
-            gl.glNormalPointer(_GL_FLOAT, 0, array.ctypes.data)
+        gl.glClientActiveTexture(0x84C0 + unit)
+        gl.glDisableClientState(0x8078)
+    generic = _generic_arrays()
+    for index in generic:
+        gl.glDisableVertexAttribArray(index)
+    for kind, size, address in arrays:
+        gl.glEnableClientState(_VERTEX_ARRAY if kind == VERTEX else _ARRAYS[kind][0])
+        if kind == VERTEX:
+            gl.glVertexPointer(size, _GL_FLOAT, stride, address)
+        elif kind == NORMAL:
+            gl.glNormalPointer(_GL_FLOAT, stride, address)
         elif kind == COLOR:
-            gl.glColorPointer(4, _GL_FLOAT, 0, array.ctypes.data)
+            gl.glColorPointer(size, _GL_FLOAT, stride, address)
         else:
-            gl.glTexCoordPointer(4, _GL_FLOAT, 0, array.ctypes.data)
-    gl.glDrawArrays(mode, 0, len(positions))
+            gl.glTexCoordPointer(size, _GL_FLOAT, stride, address)
+    gl.glDrawArrays(mode, 0, count)
+    for index in generic:
+        gl.glEnableVertexAttribArray(index)
     gl.glPopClientAttrib()
+
+
+def _generic_arrays() -> list[int]:
+    """Generic attribute arrays that the app has left enabled: a draw would read them."""
+    try:
+        get = gl.glGetVertexAttribiv
+    except AttributeError:
+        return []
+    found = []
+    for index in range(min(_integer(0x8869), 32)):
+        get(index, _ENABLED, _value)
+        if _value[0]:
+            found.append(index)
+    return found
 
 
 def _texture_units() -> int:

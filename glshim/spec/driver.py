@@ -36,6 +36,7 @@ SIGNATURES: dict[str, str] = {
     "glVertexPointer": "iuip", "glNormalPointer": "uip", "glColorPointer": "iuip",
     "glTexCoordPointer": "iuip", "glEnableClientState": "u", "glDisableClientState": "u",
     "glClientActiveTexture": "u", "glDrawArrays": "uii", "glDrawElements": "uiup",
+    "glEnableVertexAttribArray": "u", "glDisableVertexAttribArray": "u",
     "glBindBuffer": "uu", "glGenVertexArrays": "ip", "glBindVertexArray": "u",
     # state
     "glEnable": "u", "glDisable": "u", "glUseProgram": "u", "glColorMask": "bbbb",
