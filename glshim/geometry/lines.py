@@ -21,6 +21,9 @@ winding side: hidden in a solid, visible in a sheet or where the windings are in
 RECORD = 15
 """Floats of one record: a, b, c (3 each), plane (4), kind, winding in the window (+1 or -1)."""
 
+_ANGLE_GRAIN = 1e-3
+"""Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
+
 
 @dataclass(frozen=True, slots=True)
 class Choice:
@@ -65,7 +68,7 @@ def choose(edges: Edges, camera: Camera, choice: Choice) -> NDArray[np.float32]:
             found.append((kind, other[behind[1] & which]))
     if choice.ridge_angle is not None and ridges:
         fold = _seen_folds(edges, camera, across, ccw_side)
-        sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + 1e-6]
+        sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + _ANGLE_GRAIN]
         found += [(RIDGE, first[sharp]), (RIDGE, second[sharp])]
 
     sides, edge = edges.crowds

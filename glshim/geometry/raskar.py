@@ -99,12 +99,14 @@ def strips(
     out_2 = side * _right(along_2)
     reflex = side[:, 0] * (along[:, 0] * along_2[:, 1] - along[:, 1] * along_2[:, 0]) <= 0.0
     lost = ridge & (turned[1] * turned[0] < EDGE_ON * np.abs(turned[0]))
-    out_2 = np.where((reflex | lost)[:, None], out_1, out_2)
+    out_2 = np.where((reflex & ~ridge)[:, None], along, out_2)  # an end round half the way
+    out_2 = np.where((ridge & (reflex | lost))[:, None], out_1, out_2)
     slope_2 = np.where((lost | (kind == RING))[:, None], slope_1, slope_2)
     middle = 0.5 * (out_1 + out_2)
     halved = np.sqrt(_dot(middle, middle))[:, None]
     safe = np.maximum(halved, 1e-3)
-    tip = np.where(halved > 1e-3, np.minimum(1.0 / safe, LONGEST_TIP) * middle / safe, out_1)
+    tip = np.minimum(1.0 / safe, LONGEST_TIP) * middle / safe
+    tip = np.where(halved > 1e-3, tip, LONGEST_TIP * along)
 
     inset = np.where(kind == RING, INSET, 0.0)[:, None] * out_1
     outer = width * out_1

@@ -80,7 +80,8 @@ void main() {
         if (clip_c.w <= 0.0 || dot(along_2, along_2) < 1e-6) along_2 = along;
         along_2 = normalize(along_2);
         vec2 out_2 = side * vec2(along_2.y, -along_2.x);
-        if (side * (along.x * along_2.y - along.y * along_2.x) <= 0.0) out_2 = out_1;
+        if (side * (along.x * along_2.y - along.y * along_2.x) <= 0.0)
+            out_2 = ridge ? out_1 : along;    // no corner of its own: an end round half the way
         if (kind != RING) {
             vec3 sight_2 = normalize(viewpoint.xyz - viewpoint.w * eye_b.xyz);
             vec3 plane_2 = line_plane(kind, normalize(eye_c.xyz - eye_b.xyz), normal, sight_2);
@@ -91,7 +92,7 @@ void main() {
         float halved = length(middle);        // cosine of half the turn
         if (corner == 5) offset = reached * out_2;
         else if (halved > 1e-3) offset = reached * min(1.0 / halved, LONGEST_TIP) * middle / halved;
-        else offset = reached * out_1;
+        else offset = reached * LONGEST_TIP * along;
         reach = vec2(dot(offset, along), dot(offset, out_1)) / reached;
         slope = corner == 5 ? slope_2 : 0.5 * (slope + slope_2);
     }

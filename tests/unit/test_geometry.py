@@ -146,6 +146,11 @@ def test_ridges_fold_at_most_by_the_threshold(angle, count):
     assert found[RIDGE] == (count if angle < 360 else 12)
 
 
+def test_a_hexagonal_prism_has_its_sides_inked_at_the_default_threshold():
+    found = kinds(choose(edges(look.cylinder(6)), camera(), Choice(False, np.radians(120.0))))
+    assert found[RIDGE] == 2 * (2 + 3)  # two uprights and half of the rim are between seen faces
+
+
 def test_angles_are_measured_in_eye_space():
     """A box squeezed into a shear has ridges by its angles as seen, not as stored."""
     squash = np.array([[1, 0.9, 0, 0], [0, 0.4, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
