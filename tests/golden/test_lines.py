@@ -210,3 +210,31 @@ def test_batches_with_and_without_key_alone_and_together_draw_alike(backend):
     pictures.append(look.pixels())
     for picture in pictures:
         assert (picture != pictures[0]).any(axis=2).mean() < 2e-4
+
+
+AXES = [(0, 0, 1), (0, 0, -1), (0, 1, 0), (1, 0, 0), (-1, 0, 0), (0.7, 0.7, 0)]
+
+
+@pytest.mark.parametrize("name", ["torus", "sphere", "bowl", "cube", "cylinder", "teapot"])
+@pytest.mark.parametrize("width", [1.0, 3.0, 8.0])
+def test_the_outline_has_no_gap(backend, teapot, name, width):
+    """Every background pixel beside the object is inked, also where polygons are seen exactly
+    edge-on (views along the axes)."""
+    mesh = teapot if name == "teapot" else look.MESHES[name]()
+    ordinary = [tuple(d) for d in look.directions(8)]
+    for k, direction in enumerate(AXES + ordinary):
+        up = (0, 0, 1) if abs(direction[2]) < 0.9 else (0, 1, 0)
+        projection = look.perspective() if k % 3 == 1 else look.orthographic()
+        view = look.look_at(5 * np.array(direction), up=up)
+        for front_ccw in (True, False):
+            camera = Camera(view, projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw)
+            style = Raskar(silhouette_width=width)
+            before, after, _ = look.styled(backend, style, (mesh, camera))
+            empty = (before == 255).all(axis=2)
+            solid = np.pad(~empty, 1)
+            beside = solid[:-2, 1:-1] | solid[2:, 1:-1] | solid[1:-1, :-2] | solid[1:-1, 2:]
+            rim = beside & empty
+            assert rim.sum() > 200
+            gaps = rim & (after == 255).all(axis=2)
+            allowed = 0.004 if width == 1.0 else 0.0
+            assert gaps.sum() <= allowed * rim.sum(), (k, front_ccw, np.argwhere(gaps)[:5])
