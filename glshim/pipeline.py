@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from .assembly.follower import Follower
-from .assembly.scene import Scene, integer
 from .capture import frames
 from .capture.clibraries import C_LIBRARIES
 from .capture.raw import RAW
 from .capture.recorder import RECORDER
 from .capture.watch import WATCH
 from .errors import RenderError
+from .following.follower import Follower
+from .following.scene import Scene, integer
 from .notices import say_fault, say_once
 from .render.backend import Backend
 from .render.surface import Surface

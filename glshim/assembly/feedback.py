@@ -178,13 +178,18 @@ def _parse(
 
 def _same(tokens: NDArray[np.float32], stride: int, head: tuple[int, ...]) -> int:
     """How many records of this stride and head stand at the front."""
-    count = len(tokens) // stride
-    blocks = tokens[: count * stride].reshape(count, stride)
-    different = np.zeros(count, np.bool_)
-    for column, value in enumerate(head):
-        different |= blocks[:, column] != value
-    first = int(different.argmax()) if different.any() else count
-    return max(first, 1)
+    total = len(tokens) // stride
+    same, look = 1, 16
+    while same < total:  # runs may be short: look only as far as they go
+        end = min(total, same + look)
+        blocks = tokens[same * stride : end * stride].reshape(-1, stride)
+        different = np.zeros(len(blocks), np.bool_)
+        for column, value in enumerate(head):
+            different |= blocks[:, column] != value
+        if different.any():
+            return same + int(different.argmax())
+        same, look = end, look * 4
+    return same
 
 
 def _object_space(

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..caches import AgingCache
 from ..spec.draws import DRAWS, Signature
 from ..spec.driver import current_context, gl
 from .batch import PolygonBatch
@@ -21,7 +22,6 @@ _DTYPES = {
 _INDICES = {0x1401: np.uint8, 0x1403: np.uint16, 0x1405: np.uint32}
 _BINDINGS = {0x8892: 0x8894, 0x8893: 0x8895}
 _ARRAY_BUFFER, _ELEMENT_BUFFER = 0x8892, 0x8893
-_MAX_KEPT = 64
 
 
 class Unfetchable(Exception):
@@ -43,7 +43,7 @@ class VertexFetch:
     def __init__(self) -> None:
         self._versions: dict[int, int] = {}
         self._epoch = 0
-        self._kept: dict[Hashable, PolygonBatch] = {}
+        self._kept: AgingCache[PolygonBatch] = AgingCache()
 
     def buffer_written(self, name: str, args: tuple[Any, ...]) -> None:
         """A BUFFER_WRITE entry point was called: the buffer's content has a new version."""
@@ -65,17 +65,20 @@ class VertexFetch:
             return None
         pointer = _vertex_pointer()
         key = self._key(signature, values, pointer)
-        if key is not None and key in self._kept:
-            return self._kept[key]
+        kept = self._kept.get(key) if key is not None else None
+        if kept is not None:
+            return kept
         parts = [
             self._part(mode, pointer, indices) for indices in _index_runs(signature, values)
         ]
         batch = concatenate([p for p in parts if len(p.corners)], key)
         if key is not None:
-            while len(self._kept) >= _MAX_KEPT:
-                del self._kept[next(iter(self._kept))]
-            self._kept[key] = batch
+            self._kept.put(key, batch, batch.positions.nbytes + batch.corners.nbytes)
         return batch
+
+    def tick(self) -> None:
+        """A frame has passed."""
+        self._kept.tick()
 
     def element(self, index: int) -> tuple[float, float, float]:
         """Object-space position of one vertex of the current arrays (glArrayElement)."""

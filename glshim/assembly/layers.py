@@ -6,11 +6,11 @@ same content is found again, so a still picture costs its hash.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from dataclasses import replace
 from itertools import count
 
+from ..caches import AgingCache
 from ..capture.state import DrawState
 from ..geometry.camera import Camera
 from .batch import PolygonBatch
@@ -25,10 +25,9 @@ Item = tuple[PolygonBatch, Camera]
 class ContentCache:
     """Batches by the content that they were made from, kept from the second sight on."""
 
-    def __init__(self, most_bytes: int = 256 << 20) -> None:
-        self._kept: OrderedDict[int, PolygonBatch] = OrderedDict()
-        self._seen: OrderedDict[int, None] = OrderedDict()
-        self._most, self._bytes = most_bytes, 0
+    def __init__(self) -> None:
+        self._kept: AgingCache[PolygonBatch] = AgingCache()
+        self._seen: AgingCache[bool] = AgingCache()
 
     def of_primitives(self, primitives: list[Primitive]) -> PolygonBatch:
         """The polygons of recorded primitives."""
@@ -38,25 +37,22 @@ class ContentCache:
         """The batch, with a key when its content was seen before."""
         return batch if batch.key is not None else self._found(_content(batch), lambda: batch)
 
+    def tick(self) -> None:
+        """A layer has passed."""
+        self._kept.tick()
+        self._seen.tick()
+
     def _found(self, content: Hashable, make: Callable[[], PolygonBatch]) -> PolygonBatch:
-        """The batch of this content, made when it is not kept."""
         digest = hash(content)
         found = self._kept.get(digest)
         if found is not None:
-            self._kept.move_to_end(digest)
             return found
         batch = make()
-        if digest in self._seen:
-            batch = replace(batch, key=("content", digest, next(_serial)))
-            self._kept[digest] = batch
-            self._bytes += _size(batch)
-            while self._bytes > self._most and len(self._kept) > 1:
-                _, old = self._kept.popitem(last=False)
-                self._bytes -= _size(old)
-        self._seen[digest] = None
-        if len(self._seen) > 4096:
-            self._seen.popitem(last=False)
-        return batch
+        if not self._seen.get(digest):
+            self._seen.put(digest, True, 1)
+            return batch
+        batch = replace(batch, key=("content", digest, next(_serial)))
+        return self._kept.put(digest, batch, _size(batch))
 
 
 def _size(batch: PolygonBatch) -> int:
@@ -134,4 +130,5 @@ class LayerCollector:
         ]
         items.extend((self._content.of_batch(batch), camera) for batch, camera in self._batches)
         self._primitives, self._batches, self._last = {}, [], None
+        self._content.tick()
         return tuple(item for item in items if len(item[0].corners))

@@ -116,7 +116,7 @@ class ListBook:
 
     def __init__(self) -> None:
         self._programs: dict[int, Program] = {}
-        self._resolved: dict[tuple[int, int], ListPolygons] = {}
+        self._resolved: dict[tuple[int, int], tuple[ListPolygons, frozenset[int]]] = {}
         self._open: tuple[int, Program] | None = None
 
     @property
@@ -134,14 +134,31 @@ class ListBook:
             return None
         name, program = self._open
         self._programs[name] = program
-        self._resolved.clear()
+        self._changed({name})
         self._open = None
         return name
+
+    def _changed(self, names: set[int]) -> None:
+        """What was resolved through one of these lists no longer holds."""
+        stale = [at for at, (_, used) in self._resolved.items() if not used.isdisjoint(names)]
+        for at in stale:
+            del self._resolved[at]
+
+    def _reach(self, name: int, depth: int = 0) -> set[int]:
+        """The list and all that it calls, whether they exist or not."""
+        program = self._programs.get(name)
+        reached = {name}
+        if program is not None and depth <= _NESTING:
+            for item in program.items:
+                if isinstance(item, Call):
+                    for called in item.names:
+                        reached |= self._reach(called, depth + 1)
+        return reached
 
     def redefined_elsewhere(self, name: int) -> None:
         """Another context, which may share lists with ours, compiled this list."""
         if name not in self._programs:
-            self._resolved.clear()
+            self._changed({name})
 
     def items(self, name: int, depth: int = 0) -> Iterator[Item]:
         """What the list says, nested lists included."""
@@ -174,16 +191,18 @@ class ListBook:
             gone = [n for n in range(first, first + count) if n in self._programs]
         for name in gone:
             del self._programs[name]
-        self._resolved.clear()
+        self._changed(set(gone))
 
     def polygons(
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         """What calling this list draws, with keys so that caches find it again."""
         at = (name, matrix_mode)
-        if at not in self._resolved:
-            self._resolved[at] = self._resolve(name, matrix_mode, shapes, context)
-        return self._resolved[at]
+        known = self._resolved.get(at)
+        if known is None:
+            found = self._resolve(name, matrix_mode, shapes, context)
+            known = self._resolved[at] = (found, frozenset(self._reach(name)))
+        return known[0]
 
     def _resolve(
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int

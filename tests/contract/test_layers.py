@@ -13,11 +13,12 @@ LONGEST = 420
 """About 400 lines: past that a file holds two things."""
 
 # What each room may import of glshim besides itself. A name stands for the module and all below.
-COMMON = ("glshim.errors", "glshim.notices", "glshim.spec")
+COMMON = ("glshim.errors", "glshim.notices", "glshim.caches", "glshim.spec")
 ROOMS = {
     "glshim/spec": (),
     "glshim/capture": ("glshim.geometry.camera",),
     "glshim/assembly": ("glshim.capture.state", "glshim.geometry"),
+    "glshim/following": ("glshim.capture", "glshim.assembly"),
     "glshim/geometry": ("glshim.assembly.batch",),
     "glshim/styling": ("glshim.assembly.batch", "glshim.geometry"),
     "glshim/render": ("glshim.styling.protocol", "glshim.assembly.batch", "glshim.geometry"),

@@ -6,6 +6,11 @@ import functools
 from collections.abc import Callable, Hashable
 from typing import Any, Protocol, TypeVar
 
+from ..assembly.evaluators import evaluator_key
+from ..assembly.fetch import Unfetchable
+from ..assembly.immediate import POLYGON_MODES, QUADS
+from ..assembly.lists import Bare, Call, Change, Closing, Opening, Primitive, Shape
+from ..assembly.rectangles import rectangle
 from ..capture import forward
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
@@ -13,11 +18,6 @@ from ..capture.state import DrawState
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
-from .evaluators import evaluator_key
-from .fetch import Unfetchable
-from .immediate import POLYGON_MODES, QUADS
-from .lists import Bare, Call, Change, Closing, Opening, Primitive, Shape
-from .rectangles import rectangle
 from .scene import Scene, Scenes
 
 _COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
@@ -315,6 +315,7 @@ class Follower:
         scene = self._scenes.current()
         if scene is not None:
             scene.layer.forget_depth()
+            scene.tick()
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish."""

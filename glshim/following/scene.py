@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 import ctypes
-from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from dataclasses import replace
 from typing import Any
 
+from ..assembly import feedback
+from ..assembly.batch import PolygonBatch
+from ..assembly.fetch import VertexFetch
+from ..assembly.layers import LayerCollector
+from ..assembly.lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
+from ..caches import AgingCache
 from ..capture.recorder import RECORDER
 from ..capture.state import DrawState, StateReader, unsupported
 from ..spec.attributes import BY_NAME
 from ..spec.driver import current_context, gl
-from . import feedback
-from .batch import PolygonBatch
-from .fetch import VertexFetch
-from .layers import LayerCollector
-from .lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
 
 COMPILE = 0x1300
 _MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
-_MOST_SHAPES = 256
 
 
 class Scene:
@@ -33,7 +32,7 @@ class Scene:
         self.layer = LayerCollector()
         self.lists = ListBook()
         self.fetch = VertexFetch()
-        self._shapes: OrderedDict[Hashable, PolygonBatch | None] = OrderedDict()
+        self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
 
     # -- display lists ---------------------------------------------------------------------------
@@ -100,13 +99,17 @@ class Scene:
         """Polygons of a shape that C code draws, from feedback mode the first time."""
         if key is None:
             return feedback.polygons(draw)
-        if key in self._shapes:
-            self._shapes.move_to_end(key)
-            return self._shapes[key]
-        batch = self._shapes[key] = feedback.polygons(draw, ("shape", key))
-        if len(self._shapes) > _MOST_SHAPES:
-            self._shapes.popitem(last=False)
-        return batch
+        found = self._shapes.get(key)
+        if found is None:
+            batch = feedback.polygons(draw, ("shape", key))
+            size = batch.positions.nbytes if batch is not None else 1
+            found = self._shapes.put(key, (batch,), size)
+        return found[0]
+
+    def tick(self) -> None:
+        """A frame has passed."""
+        self._shapes.tick()
+        self.fetch.tick()
 
     def add_shape(self, state: DrawState, key: Hashable | None, draw: Callable[[], Any]) -> None:
         """C code drew a shape in this state."""

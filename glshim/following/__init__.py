@@ -1,0 +1,1 @@
+"""Follows the app from call to layer: the hooks of capture drive assembly, scene by scene."""
