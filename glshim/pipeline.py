@@ -75,7 +75,7 @@ class Pipeline:
             return
         try:
             backend = self._backends.get(scene)
-            if backend is None:
+            if backend is None or not backend.alive():
                 backend = self._backends[scene] = Backend.attach()
             backend.render(draws)
         except RenderError as error:

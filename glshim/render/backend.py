@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import re
-from collections import OrderedDict
 from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from importlib.resources import files
@@ -15,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
+from glshim.caches import AgingCache
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.edges import Edges, edges, join
@@ -72,8 +72,7 @@ class Backend:
     def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
         self._context = context
         self._programs: dict[tuple[Shader, int, tuple[str, ...]], _Program] = {}
-        self._cache: OrderedDict[Hashable, Edges] = OrderedDict()
-        self._cache_bytes, self._cached = cache_bytes, 0
+        self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
         self._ring_at = 0
         array = ctypes.c_uint()
@@ -108,6 +107,11 @@ class Backend:
             except Exception as error:
                 raise RenderError(f"no drawing in this context ({text}): {error}") from error
 
+    def alive(self) -> bool:
+        """Whether the current context is still the one that this was made in: a toolkit may have
+        destroyed it and made another at the same address."""
+        return bool(gl.glIsVertexArray(self._array))
+
     def render(self, draws: Iterable[Draw]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
@@ -115,6 +119,7 @@ class Backend:
         stack) or where there is no depth buffer to hide lines. Raises `RenderError` when a
         shader does not compile.
         """
+        self._cache.tick()
         groups = _grouped(draws)
         if not groups or not possible():
             return
@@ -227,12 +232,8 @@ class Backend:
             return edges(batch)
         found = self._cache.get(key)
         if found is None:
-            found = self._cache[key] = edges(batch)
-            self._cached += found.nbytes
-            while self._cached > self._cache_bytes and len(self._cache) > 1:
-                self._cached -= self._cache.popitem(last=False)[1].nbytes
-        else:
-            self._cache.move_to_end(key)
+            made = edges(batch)
+            found = self._cache.put(key, made, made.nbytes)
         return found
 
     def _gathered(self, draws: list[Draw]) -> Edges:
