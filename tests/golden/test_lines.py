@@ -238,3 +238,27 @@ def test_the_outline_has_no_gap(backend, teapot, name, width):
             gaps = rim & (after == 255).all(axis=2)
             allowed = 0.004 if width == 1.0 else 0.0
             assert gaps.sum() <= allowed * rim.sum(), (k, front_ccw, np.argwhere(gaps)[:5])
+
+
+@pytest.mark.parametrize("name", ["cube", "torus", "cylinder", "bowl"])
+def test_polygons_that_know_no_neighbour_show_the_same_lines(backend, name):
+    """Without any connectivity, every polygon a batch of its own: depth alone hides what is no
+    line, as in the paper."""
+    mesh = look.MESHES[name]()
+    pieces = [
+        PolygonBatch(mesh.positions[p], np.arange(len(p), dtype=np.int32),
+                     np.array([0, len(p)], np.int32), np.ones(len(p), bool), (name, k))
+        for k, p in enumerate(look.polygons_of(mesh))
+    ]  # fmt: skip
+    camera = Camera(look.look_at((3, 2, 2.5)), look.perspective(), (0, 0, SIZE, SIZE))
+    style = Raskar(silhouette_width=3, ridge_width=3)
+    before, whole, depth = look.styled(backend, style, (mesh, camera))
+    look.clear()
+    look.draw_base(mesh, camera)
+    backend.render(style.draws(Layer(tuple((piece, camera) for piece in pieces))))
+    expected, found = (before != whole).any(axis=2), (before != look.pixels()).any(axis=2)
+    assert (expected & ~found).sum() <= 0.01 * expected.sum()
+    true = oracle.truth(look.polygons_of(mesh), mesh.positions, camera)
+    points, _ = oracle.samples(np.concatenate([true.silhouettes, true.ridges]))
+    seen = points[oracle.visible(points, depth, slack=2e-5, reach=2)]
+    assert (found & ~oracle.near(seen, found.shape, 4.5)).sum() <= 0.005 * found.sum()
