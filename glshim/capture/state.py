@@ -32,6 +32,10 @@ _INTEGERS = (
     ("render_mode", 0x0C40, 1),
     ("program", 0x8B8D, 1),
     ("framebuffer", 0x8CA6, 1),
+    ("stencil_test", 0x0B90, 1),
+    ("stencil", 0x0B92, 1),
+    ("stencil", 0x0B97, 1),
+    ("stencil", 0x0B93, 1),
     *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
 _MODELVIEW_BYTES = 64
@@ -111,7 +115,7 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes,
+            c.clip_planes, c.stencil,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
@@ -135,6 +139,7 @@ def _decode_rest(key: bytes) -> DrawState:
         front_ccw=values["front_face"][0] == _CCW,
         scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
         clip_planes=_clip_planes(values["clip"]),
+        stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
     )
     func = values["depth_func"][0]
     depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)
