@@ -7,7 +7,7 @@ same current attributes; everything else is replayed call by call through the ba
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -44,25 +44,31 @@ _ENABLED = 0x8622
 _EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
 _CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
 _LONGEST_PERIOD = 4
+_ONE = np.float32(1).tobytes()
 _Array = tuple[int, int, int]
 """Kind, components and address."""
 
-_C_TYPES = {"f": "GLfloatArray", "d": "GLdoubleArray", "i": "GLintArray", "s": "GLshortArray",
-            "u": "GLubyteArray", "b": "GLbooleanArray"}  # fmt: skip
-_ELEMENTS: dict[str, Any] = {
+ELEMENTS: dict[str, Any] = {
     "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
     "u": ctypes.c_ubyte, "b": ctypes.c_ubyte,
 }  # fmt: skip
+"""C types by the type letters of attributes."""
 
 _calls: list[Callable[[bytes], Any]] = []
 
 
 def _bare_calls() -> list[Callable[[bytes], Any]]:
     if not _calls:
-        for name in REPLAY:
+        for name, size in zip(REPLAY, SIZE, strict=True):
             bare = quick(name)
+            if name == "glColor4fv" and size == 3:
+                bare = _opaque(bare)
             _calls.append(bare if name.endswith("v") else _switch(bare))
     return _calls
+
+
+def _opaque(bare: Callable[[bytes], Any]) -> Callable[[bytes], Any]:
+    return lambda record: bare(record[:12] + _ONE)
 
 
 def _switch(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
@@ -77,8 +83,18 @@ def replay(stream: bytes) -> None:
 
 
 def worthwhile(stream: bytes) -> bool:
-    """Whether a stream is large enough, and of a kind, to be drawn from arrays."""
-    return len(stream) >= SMALL and not bool((decode(stream)[0] == _EDGE_FLAG_TAG).any())
+    """Whether a stream is large enough, and of a kind, to be drawn from arrays.
+
+    It is not when an attribute comes with different numbers of components: Mesa 22.3 then lets
+    components of one call stand in the next, and the picture depends on its own buffering.
+    """
+    if len(stream) < SMALL:
+        return False
+    used = np.flatnonzero(np.bincount(decode(stream)[0], minlength=len(KIND)))
+    if _EDGE_FLAG_TAG in used:
+        return False
+    sizes: dict[int, int] = {VERTEX: 0}
+    return all(sizes.setdefault(int(KIND[tag]), int(SIZE[tag])) in (0, SIZE[tag]) for tag in used)
 
 
 def drawable() -> bool:
@@ -262,14 +278,19 @@ def error_checker() -> Any:
     return _errors._error_checker
 
 
-def read(row: Attribute, value: Any = None, *_: Any) -> list[Any]:
+def read(row: Attribute, value: Any = None, *more: Any) -> Sequence[Any]:
     """The components behind a pointer-like argument of a raw vector call, as Python numbers.
 
-    Raises whatever PyOpenGL raises for something that has no address.
+    Raises TypeError where PyOpenGL's own conversion should decide.
     """
-    from OpenGL import arrays
-
-    if value is None:
-        raise TypeError("no address")
-    address = getattr(arrays, _C_TYPES[row.type]).dataPointer(value)
-    return list((_ELEMENTS[row.type] * row.size).from_address(int(address)))
+    element, size = ELEMENTS[row.type], row.size
+    if not more:
+        if isinstance(value, np.ndarray):
+            if value.dtype == element and value.flags.c_contiguous and value.size >= size:
+                return value.reshape(-1)[:size].tolist()  # type: ignore[no-any-return]
+        elif isinstance(value, ctypes.Array):
+            if value._type_ is element and len(value) >= size:
+                return value[:size]
+        elif isinstance(value, ctypes._Pointer) and value._type_ is element and value:
+            return value[:size]
+    raise TypeError("not plainly numbers of the right type")

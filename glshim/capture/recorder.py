@@ -9,8 +9,10 @@ rest of the primitive goes straight through, recorded as well.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
 from io import BytesIO
+from operator import index
 from struct import Struct
 from typing import Any, Protocol
 
@@ -23,6 +25,8 @@ from .raw import RAW, Call, Maker
 
 _MISSING: Any = object()
 _SEQUENCES = (list, tuple, ndarray)
+_LAST_MODE = 13
+"""GL_TRIANGLE_STRIP_ADJACENCY: greater modes are errors inside glBegin."""
 
 
 class PrimitiveSink(Protocol):
@@ -72,7 +76,10 @@ class Recorder:
         """Hook glBegin, glEnd and every recorded attribute."""
         from OpenGL import _configflags
 
-        raw, wrappers = self._make(_configflags.ERROR_CHECKING)
+        # A log of every call, or a check of the context at each: nothing may be held back then.
+        debugging = ("FULL_LOGGING", "ERROR_LOGGING", "CONTEXT_CHECKING")
+        careful = any(getattr(_configflags, flag) for flag in debugging)
+        raw, wrappers = self._make(_configflags.ERROR_CHECKING and not careful, careful)
         for name, maker in raw.items():
             RAW.hook(name, maker)
             self._set.append((RAW.hook, name))
@@ -89,10 +96,13 @@ class Recorder:
             place(name, None)
         self._set.clear()
 
-    def _make(self, error_checking: bool) -> tuple[dict[str, Maker], dict[str, Maker]]:
+    def _make(
+        self, quick_begin: bool, careful: bool
+    ) -> tuple[dict[str, Maker], dict[str, Maker]]:
         """Makers by name for the raw layer and for the wrappers.
 
-        They are closures over shared cells: the fastest state that pure Python offers.
+        They are closures over shared cells: the fastest state that pure Python offers. When
+        ``careful``, everything goes straight through and is recorded beside that.
         """
         deferred = False  # inside a primitive whose vertices are held back
         shadow = False  # what goes straight through is recorded as well
@@ -156,32 +166,37 @@ class Recorder:
         self.position = lambda: stream.tell()  # noqa: PLW0108 - the stream changes
         self.inside = lambda: (deferred or shadow) and not bare
 
-        def make_begin(real: Call) -> Call:
+        def make_begin(real: Call, checked: bool = True) -> Call:
             driver_begin = quick("glBegin")
 
-            def begin(new_mode: Any = _MISSING, *more: Any) -> Any:
+            def begin(*args: Any) -> Any:
                 nonlocal deferred, mode, stream, write, shadow, bare
                 if bare:
                     if self.sink is not None:
                         self.sink.bare(stream.getvalue())
                     bare = shadow = False
-                if deferred or shadow or not isinstance(new_mode, int) or not 0 <= new_mode <= 9:
-                    return real(new_mode, *more) if new_mode is not _MISSING else real()
+                new_mode = args[0] if len(args) == 1 else None
+                if not isinstance(new_mode, int):
+                    new_mode = _enum(new_mode)
+                if deferred or shadow or not 0 <= new_mode <= _LAST_MODE:
+                    return real(*args)
                 if self.sink is not None:
                     self.sink.begin(new_mode)
-                driver_begin(new_mode)
+                if careful:
+                    real(*args)
+                else:
+                    driver_begin(new_mode)
                 stream = BytesIO()
                 write = stream.write
                 mode = new_mode
-                deferred = True
-                return None
+                deferred, shadow = not careful, careful
+                return forward.check(real) if checked and not careful else None
 
             return begin
 
         def make_end(real: Call) -> Call:
             def end(*args: Any) -> Any:
-                nonlocal deferred, shadow
-                nonlocal bare
+                nonlocal deferred, shadow, bare
                 if not deferred and not shadow:
                     return real(*args)
                 records = stream.getvalue()
@@ -213,6 +228,7 @@ class Recorder:
 
         def floats(row: Attribute) -> Maker:
             tag, pack, size = row.tag, row.pack.pack, row.size
+            taken = _as_c_takes(row)
 
             def other(real: Call, args: tuple[Any, ...]) -> Any:
                 """Straight through, or an argument that does not pack: the driver decides."""
@@ -220,12 +236,12 @@ class Recorder:
                 spill()
                 result = real(*args)
                 if shadow:
-                    write(pack(*args[:size], tag))
+                    write(taken(args))
                 return result
 
             def make1(real: Call) -> Call:
-                def record(x: Any = _MISSING, *more: Any) -> Any:
-                    if deferred:
+                def record(x: Any = _MISSING, /, *more: Any) -> Any:
+                    if deferred and not more:
                         try:
                             write(pack(x, tag))
                             return None
@@ -236,8 +252,8 @@ class Recorder:
                 return record
 
             def make2(real: Call) -> Call:
-                def record(x: Any = _MISSING, y: Any = _MISSING, *more: Any) -> Any:
-                    if deferred:
+                def record(x: Any = _MISSING, y: Any = _MISSING, /, *more: Any) -> Any:
+                    if deferred and not more:
                         try:
                             write(pack(x, y, tag))
                             return None
@@ -249,15 +265,15 @@ class Recorder:
 
             def make3(real: Call) -> Call:
                 def record(
-                    x: Any = _MISSING, y: Any = _MISSING, z: Any = _MISSING, *more: Any
+                    x: Any = _MISSING, y: Any = _MISSING, z: Any = _MISSING, /, *more: Any
                 ) -> Any:
-                    if deferred:
+                    if deferred and not more:
                         try:
                             write(pack(x, y, z, tag))
                             return None
                         except Exception:
                             pass
-                    elif not shadow and z is not _MISSING:
+                    elif not shadow and not deferred and z is not _MISSING:
                         return real(x, y, z, *more)
                     return other(real, (x, y, z, *more))
 
@@ -278,8 +294,9 @@ class Recorder:
             return (make1, make2, make3, make4)[size - 1]
 
         def integers(row: Attribute) -> Maker:
-            tag, pack, size = row.tag, row.pack.pack, row.size
-            convert = _INTEGERS[row.type](size)
+            tag, pack = row.tag, row.pack.pack
+            convert = _INTEGERS[row.type](row.size)
+            taken = _as_c_takes(row)
 
             def make(real: Call) -> Call:
                 def record(*args: Any) -> Any:
@@ -291,7 +308,7 @@ class Recorder:
                             spill()
                     result = real(*args)
                     if shadow:
-                        write(pack(*convert(*(int(a) for a in args[:size])), tag))
+                        write(taken(args))
                     return result
 
                 return record
@@ -300,8 +317,7 @@ class Recorder:
 
         def pointers(row: Attribute) -> Maker:
             """The vector form on the raw layer: its argument is something with an address."""
-            tag, pack, size = row.tag, row.pack.pack, row.size
-            convert = _INTEGERS[row.type](size) if row.type in _INTEGERS else None
+            taken = _as_c_takes(row)
 
             def make(real: Call) -> Call:
                 def record(*args: Any) -> Any:
@@ -309,15 +325,14 @@ class Recorder:
                         return real(*args)
                     try:
                         values = forward.read(row, *args)
-                        record = pack(*(convert(*values) if convert else values), tag)
-                    except Exception:
+                    except TypeError:
                         spill()
                         return real(*args)
                     if shadow:
                         result = real(*args)
-                        write(record)
+                        write(taken(values))
                         return result
-                    write(record)
+                    write(taken(values))
                     return None
 
                 return record
@@ -327,10 +342,10 @@ class Recorder:
         def vectors(row: Attribute) -> Maker:
             """The vector form as PyOpenGL wraps it: lists, tuples and arrays are unpacked here."""
             tag, pack = row.tag, row.pack.pack
-            convert = _INTEGERS[row.type](row.size) if row.type in _INTEGERS else None
+            convert = _LISTED[row.type](row.size) if row.type in _LISTED else None
 
             def make(base: Call) -> Call:
-                def record(this: Any, v: Any = _MISSING, *more: Any) -> Any:
+                def record(this: Any, v: Any = _MISSING, /, *more: Any) -> Any:
                     if deferred and type(v) in _SEQUENCES:
                         try:
                             write(pack(*(convert(*v) if convert else v), tag))
@@ -345,13 +360,15 @@ class Recorder:
 
         raw: dict[str, Maker] = {"glBegin": make_begin, "glEnd": make_end}
         wrappers: dict[str, Maker] = {}
-        if error_checking:
-            wrappers["glBegin"] = _quick("glBegin", make_begin, "onBegin")
-            wrappers["glEnd"] = _quick("glEnd", make_end, "onEnd")
+        if quick_begin:
+            unchecked = partial(make_begin, checked=False)
+            wrappers["glBegin"] = _quick("glBegin", unchecked, "onBegin", 1)
+            wrappers["glEnd"] = _quick("glEnd", make_end, "onEnd", 0)
         for row in ATTRIBUTES:
-            raw[row.name] = integers(row) if row.type in _INTEGERS else floats(row)
-            raw[row.name + "v"] = pointers(row)
-            wrappers[row.name + "v"] = vectors(row)
+            scalars = integers(row) if row.type in _INTEGERS else floats(row)
+            raw[row.name] = _named(row.name, scalars)
+            raw[row.name + "v"] = _named(row.name + "v", pointers(row))
+            wrappers[row.name + "v"] = _named(row.name + "v", vectors(row))
         return raw, wrappers
 
 
@@ -359,19 +376,30 @@ def _none() -> None:
     """Nothing to do."""
 
 
-def _quick(name: str, make: Maker, bookkeeping: str) -> Maker:
+def _named(name: str, make: Maker) -> Maker:
+    """Hooks that go by the name of what they stand for in Python's own messages."""
+
+    def maker(call: Call) -> Call:
+        hook = make(call)
+        hook.__qualname__ = name
+        return hook
+
+    return maker
+
+
+def _quick(name: str, make: Maker, bookkeeping: str, count: int) -> Maker:
     """What PyOpenGL's lazy wrapper does, less two Python calls: its bookkeeping, then the hook."""
 
     def make_wrapper(base: Call) -> Call:
         hook: Call | None = None
         before: Call = _none
 
-        def wrapper(this: Any, *args: Any) -> Any:
+        def wrapper(this: Any, *args: Any, **named: Any) -> Any:
             nonlocal hook, before
-            if hook is None:
+            if hook is None or named or len(args) != count:
                 real = RAW.original(name)
-                if real is None:  # not loaded yet: the long way loads it
-                    return base(this, *args)
+                if real is None or named or len(args) != count:
+                    return base(this, *args, **named)  # the long way loads it, or raises
                 hook = make(real)
                 before = getattr(forward.error_checker(), bookkeeping)
             before()
@@ -380,6 +408,31 @@ def _quick(name: str, make: Maker, bookkeeping: str) -> Maker:
         return wrapper
 
     return make_wrapper
+
+
+def _enum(value: Any) -> int:
+    """An enum given as something that ctypes takes for an integer; -1 for anything else."""
+    try:
+        return index(getattr(value, "value", value))
+    except TypeError:
+        return -1
+
+
+def _as_c_takes(row: Attribute) -> Callable[[Sequence[Any]], bytes]:
+    """Makes the record of arguments that the driver took, converted as C does: integers wrap,
+    large doubles become infinite. Empty when that cannot be told."""
+    convert = _INTEGERS[row.type](row.size) if row.type in _INTEGERS else None
+    element = forward.ELEMENTS["f" if row.type == "d" else row.type]
+    pack, tag, size = row.pack.pack, row.tag, row.size
+
+    def taken(args: Sequence[Any]) -> bytes:
+        try:
+            values = [element(getattr(a, "value", a)).value for a in args[:size]]
+            return pack(*(convert(*values) if convert else values), tag)
+        except Exception:
+            return b""
+
+    return taken
 
 
 def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
@@ -404,12 +457,25 @@ def _bytes(size: int) -> Callable[..., tuple[Any, ...]]:
     )  # fmt: skip
 
 
-_INTEGERS: dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]] = {
-    "i": _ranged("i"),
-    "s": _ranged("h"),
-    "u": _bytes,
-    "b": lambda size: lambda flag: (1.0 if flag & 255 else 0.0,),
-}
+def _strict_bytes(size: int) -> Callable[..., tuple[Any, ...]]:
+    """Unsigned bytes from a list, which numpy converts and does not wrap."""
+    check = Struct(f"={size}B").pack
+    return lambda *args: tuple(value / 255.0 for value in check(*args))
+
+
+def _switch(size: int) -> Callable[..., tuple[Any, ...]]:
+    return lambda flag: (1.0 if flag & 255 else 0.0,)
+
+
+def _strict_switch(size: int) -> Callable[..., tuple[Any, ...]]:
+    check = Struct("=B").pack
+    return lambda flag: (1.0 if any(check(flag)) else 0.0,)
+
+
+_Converters = dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]]
+_INTEGERS: _Converters = {"i": _ranged("i"), "s": _ranged("h"), "u": _bytes, "b": _switch}
 """By type letter: from an argument count to what turns C integers into the recorded floats."""
+_LISTED: _Converters = {**_INTEGERS, "u": _strict_bytes, "b": _strict_switch}
+"""The same for members of lists, tuples and arrays."""
 
 RECORDER = Recorder()

@@ -66,7 +66,11 @@ KIND = np.array([row.kind for row in ATTRIBUTES], np.int8)
 SIZE = np.array([row.size for row in ATTRIBUTES], np.int8)
 """(tags,) argument count of each tag."""
 REPLAY = tuple(
-    "glEdgeFlag" if row.kind == EDGE_FLAG else f"{row.name.rstrip('dfisub')}fv"
+    "glEdgeFlag"
+    if row.kind == EDGE_FLAG
+    else "glColor4fv"  # Mesa's glColor3d and 3ub are its glColor4f, which its glColor3f is not
+    if row.kind == COLOR and row.type != "f"
+    else f"{row.name.rstrip('dfisub')}fv"
     for row in ATTRIBUTES
 )
 """For each tag the bare entry point that says the same (a ``fv`` one straight from a record)."""
