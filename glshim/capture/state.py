@@ -70,18 +70,28 @@ class StateReader:
     def __init__(self) -> None:
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
+        self._stencil_calls: list[Callable[[], None]] = []
+        self._stencil_test = ctypes.c_int32()
+        self._clips = False
         self._known: dict[bytes, DrawState] = {}
         self._rest: dict[bytes, DrawState] = {}
 
     def forget(self) -> None:
-        """A clip plane was moved: its equation is not part of the key."""
+        """A clip plane was moved: its equation is not part of the key. From now on the switches of
+        clip planes are asked for."""
         self._known.clear()
         self._rest.clear()
+        if not self._clips:
+            self._clips = True
+            self._calls.clear()
 
     def read(self) -> DrawState:
         """The state now. A compatibility context must be current, outside glBegin/glEnd."""
         for get in self._calls or self._prepare():
             get()
+        if self._stencil_test.value:
+            for get in self._stencil_calls:
+                get()
         key = bytes(self._buffer)
         state = self._known.get(key)
         if state is None:
@@ -96,8 +106,16 @@ class StateReader:
         for name, count in _FLOATS:
             self._calls.append(partial(floats, name, self._at(offset)))
             offset += count
-        for _, name, count in _INTEGERS:
-            self._calls.append(partial(integers, name, self._at(offset)))
+        self._clips = self._clips or _any_clip_plane_was_set()
+        self._stencil_calls = []
+        for kind, name, count in _INTEGERS:
+            call = partial(integers, name, self._at(offset))
+            if kind == "stencil":
+                self._stencil_calls.append(call)
+            elif kind != "clip" or self._clips:
+                self._calls.append(call)
+            if kind == "stencil_test":
+                self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             offset += count
         return self._calls
 
@@ -161,6 +179,16 @@ def _decode_rest(key: bytes) -> DrawState:
         obstacle=obstacle,
         fill_faces=values["polygon_mode"] == (_FILL, _FILL),
     )
+
+
+def _any_clip_plane_was_set() -> bool:
+    """Whether some clip plane has another equation than the one it begins with, all zero."""
+    equation = (ctypes.c_double * 4)()
+    for i in range(6):
+        gl.glGetClipPlane(0x3000 + i, equation)
+        if any(equation):
+            return True
+    return False
 
 
 def _clip_planes(enabled: tuple[int, ...]) -> tuple[tuple[float, float, float, float], ...]:
