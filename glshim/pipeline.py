@@ -12,8 +12,8 @@ from .capture.recorder import RECORDER
 from .capture.watch import WATCH
 from .errors import RenderError
 from .following.follower import Follower
-from .following.scene import Scene, integer
-from .notices import say_fault, say_once
+from .following.scene import Scene, integer, say_unstyled
+from .notices import say_fault
 from .render.backend import Backend
 from .render.surface import Surface
 from .styling.protocol import Layer, Styler
@@ -80,7 +80,7 @@ class Pipeline:
             backend.render(draws)
         except RenderError as error:
             scene.refused = str(error)
-            say_once(f"unstyled: {error}; the program runs as it would without a style")
+            say_unstyled(str(error))
 
     def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""

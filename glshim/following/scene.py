@@ -15,6 +15,7 @@ from ..assembly.lists import Bare, Call, Closing, Item, ListBook, Opening, list_
 from ..caches import AgingCache
 from ..capture.recorder import RECORDER
 from ..capture.state import DrawState, StateReader, unsupported
+from ..notices import say_once
 from ..spec.attributes import BY_NAME
 from ..spec.driver import current_context, gl
 
@@ -132,6 +133,8 @@ class Scenes:
         scene = self._by_context.get(handle)
         if scene is None:
             scene = self._by_context[handle] = Scene()
+            if scene.refused:
+                say_unstyled(scene.refused)
         return scene
 
     def close_list(self, scene: Scene) -> None:
@@ -141,6 +144,11 @@ class Scenes:
             for other in self._by_context.values():
                 if other is not scene:
                     other.lists.redefined_elsewhere(name)
+
+
+def say_unstyled(why: str) -> None:
+    """Once: nothing can be styled in a context."""
+    say_once(f"unstyled: {why}; the program runs as it would without a style")
 
 
 def integer(name: int) -> int:
