@@ -20,6 +20,7 @@ _serial = count()
 
 Primitive = tuple[int, bytes]
 Item = tuple[PolygonBatch, Camera]
+Rectangle = tuple[int, int, int, int]
 
 
 class ContentCache:
@@ -63,6 +64,15 @@ def _content(batch: PolygonBatch) -> Hashable:
     return batch.positions.tobytes(), batch.corners.tobytes(), batch.boundary.tobytes()
 
 
+def _overlap(state: DrawState, other: Rectangle) -> bool:
+    """Whether a draw's viewport covers more than a sliver of another one."""
+    x, y, w, h = state.camera.viewport
+    ox, oy, ow, oh = other
+    across = min(x + w, ox + ow) - max(x, ox)
+    up = min(y + h, oy + oh) - max(y, oy)
+    return across > 2 and up > 2
+
+
 class LayerCollector:
     """Gathers the polygons of the current layer of one context."""
 
@@ -71,7 +81,7 @@ class LayerCollector:
         self._primitives: dict[DrawState, list[Primitive]] = {}
         self._batches: list[Item] = []
         self._last: DrawState | None = None
-        self._deep = False
+        self._deep: set[Rectangle] = set()
 
     @property
     def pending(self) -> bool:
@@ -85,7 +95,7 @@ class LayerCollector:
             and state.depth_written
             and state.fill_faces
             and not state.obstacle
-            and not (state.flat and self._deep)
+            and not self._is_hud(state)
         )
 
     def ends_with(self, state: DrawState) -> bool:
@@ -94,12 +104,17 @@ class LayerCollector:
         return last is not None and (
             state.framebuffer != last.framebuffer
             or not state.depth_tested
-            or (state.flat and not last.flat)
+            or (state.flat and not last.flat and _overlap(state, last.camera.viewport))
         )
+
+    def _is_hud(self, state: DrawState) -> bool:
+        """A flat projection over a picture that has depth; the views of a CAD program that stand
+        side by side are none."""
+        return state.flat and any(_overlap(state, viewport) for viewport in self._deep)
 
     def forget_depth(self) -> None:
         """The depth buffer was cleared or the frame ended: nothing is a HUD yet."""
-        self._deep = False
+        self._deep.clear()
 
     def add_primitive(self, state: DrawState, mode: int, stream: bytes) -> None:
         """A recorded primitive drawn in this state."""
@@ -120,7 +135,7 @@ class LayerCollector:
     def _note(self, state: DrawState) -> None:
         self._last = state
         if not state.flat:
-            self._deep = True
+            self._deep.add(state.camera.viewport)
 
     def take(self) -> tuple[Item, ...]:
         """The finished layer's items; the next layer begins empty."""
