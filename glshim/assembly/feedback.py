@@ -89,8 +89,7 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         _restore_matrices(saved)
-        if pointer.value:
-            gl.glFeedbackBuffer(size.value, kind.value, pointer)
+        gl.glFeedbackBuffer(size.value, kind.value, pointer)
         while gl.glGetError():
             pass
         if error:

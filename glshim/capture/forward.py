@@ -9,6 +9,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from struct import Struct
 from typing import Any
 
 import numpy as np
@@ -44,7 +45,8 @@ _ENABLED = 0x8622
 _EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
 _CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
 _LONGEST_PERIOD = 4
-_ONE = np.float32(1).tobytes()
+_FLOAT = Struct("=f")
+_ONE = _FLOAT.pack(1.0)
 _Array = tuple[int, int, int]
 """Kind, components and address."""
 
@@ -72,7 +74,7 @@ def _opaque(bare: Callable[[bytes], Any]) -> Callable[[bytes], Any]:
 
 
 def _switch(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
-    return lambda record: bare(int(any(record)))
+    return lambda record: bare(int(_FLOAT.unpack_from(record)[0]))
 
 
 def replay(stream: bytes) -> None:

@@ -464,12 +464,12 @@ def _strict_bytes(size: int) -> Callable[..., tuple[Any, ...]]:
 
 
 def _switch(size: int) -> Callable[..., tuple[Any, ...]]:
-    return lambda flag: (1.0 if flag & 255 else 0.0,)
+    return lambda flag: (flag & 255,)  # Mesa answers glGet by its very value
 
 
 def _strict_switch(size: int) -> Callable[..., tuple[Any, ...]]:
     check = Struct("=B").pack
-    return lambda flag: (1.0 if any(check(flag)) else 0.0,)
+    return lambda flag: tuple(check(flag))
 
 
 _Converters = dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]]

@@ -19,7 +19,12 @@ _VERTEX_ARRAY = 0x85B5
 _DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER = 0x8CA6, 0x8CAA
 _RENDERBUFFER = 0x8CA7
 _ACTIVE_TEXTURE = 0x84E0
-_RASTERIZER_DISCARD = 0x8C89
+_SWITCHES = (
+    0x8C89,  # rasterizer discard
+    0x884F,  # seamless cube maps, which moderngl turns on in a new context
+    0x8F9D,  # primitive restart
+)
+"""What no attribute stack holds."""
 
 _KEPT = (
     _PROGRAM,
@@ -50,7 +55,7 @@ class Guard:
     for and set again. An error the app has not fetched yet is put back.
     """
 
-    __slots__ = ("_discard", "_error", "_kept")
+    __slots__ = ("_error", "_kept", "_switches")
 
     def __enter__(self) -> Guard:
         self._error = gl.glGetError()
@@ -61,7 +66,7 @@ class Guard:
             gl.glGetIntegerv(name, at)
             kept.append(value.value)
         self._kept = kept
-        self._discard = gl.glIsEnabled(_RASTERIZER_DISCARD)
+        self._switches = [bool(gl.glIsEnabled(switch)) for switch in _SWITCHES]
         gl.glPushAttrib(_ALL)
         gl.glPushClientAttrib(_ALL)
         return self
@@ -81,8 +86,8 @@ class Guard:
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         gl.glActiveTexture(texture)
-        if self._discard:
-            gl.glEnable(_RASTERIZER_DISCARD)
+        for switch, on in zip(_SWITCHES, self._switches, strict=True):
+            (gl.glEnable if on else gl.glDisable)(switch)
         for _ in range(16):  # a lost context reports errors for ever
             if gl.glGetError() == _NO_ERROR:
                 break
