@@ -174,6 +174,8 @@ def _positions(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]
     stride = pointer.stride or width
     if count <= 0:
         return np.empty((0, 3), np.float32)
+    if first < 0:
+        raise Unfetchable("the first vertex is negative")
     if not pointer.buffer and not pointer.address:
         raise Unfetchable("the vertex pointer is null")
     start, size = pointer.address + first * stride, (count - 1) * stride + width

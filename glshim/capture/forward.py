@@ -118,6 +118,11 @@ def _integer(name: int) -> int:
     return _value[0]
 
 
+def list_open() -> bool:
+    """Whether the driver is compiling a display list. Ask outside a primitive."""
+    return bool(current_context() and _integer(0x0B33))
+
+
 def _vertex_array_object() -> bool:
     try:
         _ = gl.glBindVertexArray

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from ..spec.roles import Role, role_of
+from . import forward
 from .raw import RAW, Call, Maker
 from .recorder import RECORDER, PrimitiveSink
 
@@ -34,7 +35,10 @@ class Watcher(PrimitiveSink, Protocol):
         """Before PyOpenGL's raw call, outside primitives."""
 
     def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
-        """After it, also when it raised."""
+        """After it, also when PyOpenGL found a GL error, which may be an older one."""
+
+    def refused(self) -> None:
+        """Instead of :meth:`after`: PyOpenGL refused the arguments, nothing was called."""
 
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
         """After an IN_PRIMITIVE or list call inside a primitive; ``call`` would say it again."""
@@ -106,18 +110,19 @@ class Watch:
             spill, inside = RECORDER.spill, RECORDER.inside
 
             def hook(*args: Any) -> Any:
-                if closes:
+                if closes and RECORDER.list_open:
                     RECORDER.close_list()
                 if inside():
                     spill()
                     result = real(*args)
                     if self._watcher is not None:
                         self._watcher.inside(name, args, lambda: real(*args))
-                else:
-                    result = real(*args)
-                if opens:
-                    RECORDER.open_list(False)
-                return result
+                    return result
+                try:
+                    return real(*args)
+                finally:
+                    if opens and not RECORDER.list_open and forward.list_open():
+                        RECORDER.open_list(False)
 
             return hook
 
@@ -128,6 +133,8 @@ class Watch:
             return self._bracket(name, role)
 
         def maker(real: Call) -> Call:
+            from OpenGL.error import GLError  # not before the app has set its flags
+
             inside = RECORDER.inside
 
             def hook(*args: Any) -> Any:
@@ -141,9 +148,15 @@ class Watch:
                     return result
                 watcher.before(role, name, args)
                 try:
-                    return real(*args)
-                finally:
+                    result = real(*args)
+                except GLError:
                     watcher.after(role, name, args)
+                    raise
+                except BaseException:
+                    watcher.refused()
+                    raise
+                watcher.after(role, name, args)
+                return result
 
             return hook
 
@@ -154,18 +167,24 @@ class Watch:
             def hook(*args: Any) -> Any:
                 watcher = self._watcher
                 if role is Role.LIST_CLOSE:
-                    RECORDER.close_list()
-                    self._follow_lists(False)
-                    if watcher is not None:
-                        watcher.before(role, name, args)
+                    if RECORDER.list_open:
+                        RECORDER.close_list()
+                        self._follow_lists(False)
+                        if watcher is not None:
+                            watcher.before(role, name, args)
+                    else:
+                        RECORDER.spill()
                     return real(*args)
+                closed = not RECORDER.list_open and not RECORDER.inside()
                 RECORDER.spill()
-                result = real(*args)
-                if watcher is not None:
-                    watcher.after(role, name, args)
-                self._follow_lists(True)
-                RECORDER.open_list(watcher is not None)
-                return result
+                try:
+                    return real(*args)
+                finally:
+                    if closed and forward.list_open():
+                        if watcher is not None:
+                            watcher.after(role, name, args)
+                        self._follow_lists(True)
+                        RECORDER.open_list(watcher is not None)
 
             return hook
 

@@ -70,16 +70,21 @@ class Follower:
         self._now: Scene | None = None
         self._drawing: DrawState | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
+        self._elements: list[tuple[int, int]] = []
+        """Positions in the record of glArrayElement calls, and their indices: nothing may be
+        asked inside a primitive, so their vertices are fetched at its end."""
 
     # -- primitives ------------------------------------------------------------------------------
 
     @contained
     def begin(self, mode: int) -> None:
         """Before glBegin."""
-        if self._reruns:
-            self._reruns = []
+        if self._reruns or self._elements:
+            self._reruns, self._elements = [], []
         self._now = self._scenes.current()
         self._open(mode in POLYGON_MODES, self._now)
+        if self._now is not None and self._now.needs_list_base:
+            self._now.read_list_base()
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -88,12 +93,33 @@ class Follower:
         scene = self._now
         if scene is None or mode not in POLYGON_MODES:
             return
+        if self._elements:
+            stream = self._with_elements(scene, stream)
         again = self._rerun(mode, stream) if self._reruns else None
         scene.compile(Shape(None, again) if again else Primitive(mode, stream))
         if state is not None and again:
             scene.add_shape(state, None, again)
         elif state is not None:
             scene.layer.add_primitive(state, mode, stream)
+
+    def _with_elements(self, scene: Scene, stream: bytes) -> bytes:
+        """The record with the vertices of glArrayElement in their places."""
+        parts: list[bytes] = []
+        at = 0
+        reruns = list(self._reruns)
+        try:
+            for position, index in self._elements:
+                vertex = scene.array_element(index)
+                parts += [stream[at:position], vertex]
+                at = position
+                self._reruns = [
+                    (place + len(vertex) if old >= position else place, call)
+                    for (place, call), (old, _) in zip(self._reruns, reruns, strict=True)
+                ]
+        except Unfetchable as reason:
+            say_once(f"unstyled: glArrayElement, because {reason}")
+        self._elements = []
+        return b"".join((*parts, stream[at:]))
 
     def _rerun(self, mode: int, stream: bytes) -> Callable[[], None]:
         """Says a primitive with evaluated vertices again."""
@@ -131,7 +157,7 @@ class Follower:
         self._close()
         scene = self._scenes.current()
         if scene is not None:
-            scene.compile(Opening(mode, stream))
+            scene.compile(Opening(mode, self._with_elements(scene, stream)))
 
     @contained
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
@@ -140,11 +166,11 @@ class Follower:
         if scene is None or scene.refused:
             return
         if name.startswith("glArrayElement"):
-            scene.array_element(int(args[0]))
+            self._elements.append((RECORDER.position(), _number(args, 0)))
         elif name.startswith("glEval"):
             self._reruns.append((RECORDER.position(), call))
         elif name.startswith("glCallList"):
-            finished = scene.list_called_inside(scene.names(name, args))
+            finished = scene.list_called_inside(scene.names(name, args, inside=True))
             if finished is not None:
                 self.end(*finished)
 
@@ -163,7 +189,8 @@ class Follower:
         elif role is Role.CLEAR:
             self._clear(scene, name, args)
         elif role is Role.READBACK:
-            if not (name.startswith("glRead") and int(args[2]) * int(args[3]) <= _PICK_AREA):
+            area = _number(args, 2) * _number(args, 3)
+            if area > _PICK_AREA or not name.startswith("glRead"):
                 self.finish_layer()
         elif role is Role.TARGET:
             self.finish_layer()
@@ -173,12 +200,12 @@ class Follower:
         elif role is Role.LIST_CLOSE:
             self._scenes.close_list(scene)
         elif role is Role.LIST_FORGET:
-            scene.lists.forget(int(args[0]), int(args[1]))
+            scene.lists.forget(_number(args, 0), _number(args, 1))
         elif role is Role.CLIP_PLANE:
             scene.reader.forget()
 
     def _clear(self, scene: Scene, name: str, args: tuple[Any, ...]) -> None:
-        mask = int(args[0]) if name == "glClear" else _COLOR_AND_DEPTH
+        mask = _number(args, 0) if name == "glClear" else _COLOR_AND_DEPTH
         if mask & _COLOR_AND_DEPTH:
             self.finish_layer()
         if mask & _DEPTH_BIT:
@@ -186,7 +213,7 @@ class Follower:
 
     @contained
     def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
-        """After a call by role, also when it raised."""
+        """After a call by role, also when PyOpenGL found a GL error."""
         scene = self._scenes.current()
         if scene is None or scene.refused:
             return
@@ -202,6 +229,11 @@ class Follower:
                 self._drawn(scene, state, name, args)
         elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
             self._close()
+
+    @contained
+    def refused(self) -> None:
+        """PyOpenGL refused the arguments: nothing was drawn."""
+        self._close()
 
     def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
         state = self._close()
@@ -320,6 +352,14 @@ class Follower:
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish."""
         return self.studio.flush(call, self._scenes.current())
+
+
+def _number(args: tuple[Any, ...], position: int) -> int:
+    """An integer argument; 0 where there is none, as PyOpenGL will say."""
+    try:
+        return int(args[position])
+    except (IndexError, TypeError, ValueError):
+        return 0
 
 
 _DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.LIST_CALL))

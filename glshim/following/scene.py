@@ -35,6 +35,8 @@ class Scene:
         self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
+        self._list_base = 0
+        self._partial_lists = False
 
     # -- display lists ---------------------------------------------------------------------------
 
@@ -52,10 +54,23 @@ class Scene:
         """Note what an open list holds; without an open list, nothing."""
         if self.lists.open is not None:
             self.lists.open.items.append(item)
+            if isinstance(item, (Bare, Closing)):
+                self._partial_lists = True
 
-    def names(self, name: str, args: tuple[Any, ...]) -> tuple[int, ...]:
+    @property
+    def needs_list_base(self) -> bool:
+        """Whether a list called inside a primitive may matter: it adds vertices or ends it."""
+        return self._partial_lists or self.lists.open is not None
+
+    def read_list_base(self) -> None:
+        """Ask for it before a primitive: inside, nothing may be asked."""
+        self._list_base = integer(_LIST_BASE)
+
+    def names(self, name: str, args: tuple[Any, ...], *, inside: bool = False) -> tuple[int, ...]:
         """The lists that a LIST_CALL entry point calls."""
-        return list_names(name, args, integer(_LIST_BASE) if name == "glCallLists" else 0)
+        if name != "glCallLists":
+            return list_names(name, args, 0)
+        return list_names(name, args, self._list_base if inside else integer(_LIST_BASE))
 
     def lists_called(self, state: DrawState, names: tuple[int, ...]) -> bool:
         """Lists were drawn in this state. True when the last one left a primitive open, whose rest
@@ -91,10 +106,10 @@ class Scene:
 
     # -- vertices and shapes ---------------------------------------------------------------------
 
-    def array_element(self, index: int) -> None:
-        """glArrayElement inside a primitive: its vertex joins the record."""
+    def array_element(self, index: int) -> bytes:
+        """The record of the vertex of a glArrayElement call."""
         row = BY_NAME["glVertex3f"]
-        RECORDER.extend(row.pack.pack(*self.fetch.element(index), row.tag))
+        return row.pack.pack(*self.fetch.element(index), row.tag)
 
     def polygons(self, key: Hashable | None, draw: Callable[[], Any]) -> PolygonBatch | None:
         """Polygons of a shape that C code draws, from feedback mode the first time."""

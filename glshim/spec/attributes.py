@@ -29,7 +29,7 @@ class Attribute:
     size: int
     """Number of arguments."""
     type: str
-    """f or d (floats), i or s (integers made floats), u (unsigned bytes made 0..1), b (switch, a byte)."""
+    """f or d (floats), i or s (integers made floats), u (unsigned bytes made 0..1), b (a byte)."""
     tag: int
     pack: Struct
     """Packs (values ..., tag) to one record."""
