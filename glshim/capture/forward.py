@@ -294,7 +294,8 @@ def read(row: Attribute, value: Any = None, *more: Any) -> Sequence[Any]:
     if not more:
         if isinstance(value, np.ndarray):
             if value.dtype == element and value.flags.c_contiguous and value.size >= size:
-                return value.reshape(-1)[:size].tolist()  # type: ignore[no-any-return]
+                flat = np.asarray(value).reshape(-1)  # a matrix stays of two dimensions
+                return flat[:size].tolist()  # type: ignore[no-any-return]
         elif isinstance(value, ctypes.Array):
             if value._type_ is element and len(value) >= size:
                 return value[:size]

@@ -17,6 +17,8 @@ DISTRIBUTIONS = {
     "PyOpenGL-Demo": ("PyOpenGL-Demo==3.1.1", "--no-binary", ":all:"),
     "Planet3D": ("Planet3D==0.3.0",),
     "phalcopulse": ("phalcopulse==0.1.5",),
+    "PyOpenGL": ("PyOpenGL==3.1.10", "--no-binary", ":all:"),  # its tests
+    "psutil": ("psutil",),  # they import it
     "six": ("six",),  # PyOpenGL-Demo imports it
     "imageio": ("imageio",),  # phalcopulse imports it
     "PyQt5": ("PyQt5==5.15.11", "PyQt5-sip", "PyQt5-Qt5", "configobj"),  # for dxf2gcode
