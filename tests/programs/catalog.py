@@ -56,9 +56,16 @@ OTHERS = (
             home=str(HERE / "apps" / "dxf2gcode_home"), frames=1, inked=False),  # Qt: not yet
 )
 
+OLD_MANNERS = (
+    Program("old_windows", "ours", str(HERE / "apps" / "old_windows.py"), frames=6),
+    Program("cad_views", "ours", str(HERE / "apps" / "cad_views.py")),
+    Program("effects", "ours", str(HERE / "apps" / "effects.py")),
+    Program("raw_threads", "ours", str(HERE / "apps" / "raw_threads.py"), frames=4),
+)
+
 OURS = tuple(
     Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
     for name in ("cad_part", "robot_arm", "island", "cloth", "viewer")
 )
 
-PROGRAMS = DEMO_PROGRAMS + OTHERS + OURS
+PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + OURS
