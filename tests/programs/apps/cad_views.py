@@ -1,6 +1,6 @@
 """As CAD programs draw: four views by viewport and scissor, interleaved arrays and numpy indices,
 tessellated outlines, picking by colour, labels as textures and as pixels."""
-# ruff: noqa: F403, F405, B905
+# ruff: noqa: F403, F405, B905, PLR0917
 
 import numpy as np
 import pygame

@@ -1,6 +1,6 @@
 """Old tricks: a stencil reflection, a planar shadow, a picture in a texture by way of a framebuffer
 object, a GLSL 1.20 shader beside the fixed functions, and the accumulation buffer."""
-# ruff: noqa: F403, F405, B905
+# ruff: noqa: F403, F405
 
 import sys
 
