@@ -1,7 +1,7 @@
 """Hands a recorded primitive to the real fixed-function GL.
 
 Large primitives go as one glDrawArrays from client arrays, which is the same picture and leaves the
-same current attributes; everything else is replayed call by call through the bare driver.
+same current attributes; everything else is replayed call by call through the bare driver, exactly.
 """
 
 from __future__ import annotations
@@ -35,12 +35,14 @@ SMALL = 128 * RECORD_BYTES
 """Below this many bytes a replay is quicker than setting up arrays (measured)."""
 
 _GL_FLOAT = 0x1406
-_ARRAYS = {  # kind: (client state, glGet of the current value, components of the array)
-    NORMAL: (0x8075, 0x0B02, 3),
-    COLOR: (0x8076, 0x0B00, 4),
-    TEXCOORD: (0x8078, 0x0B03, 4),
-}
-_VERTEX_ARRAY = 0x8074
+_ARRAYS = {VERTEX: 0x8074, NORMAL: 0x8075, COLOR: 0x8076, TEXCOORD: 0x8078}
+"""Client states by kind."""
+_LINE_STRIP = 3
+_HEADS = {
+    0: (1, 1), 1: (2, 2), _LINE_STRIP: (2, 1), 4: (3, 3), 5: (4, 2), 7: (4, 4), 8: (4, 2),
+}  # fmt: skip
+"""By mode: vertices of the part that is said call by call, and the first vertex of the rest. Fans,
+polygons and line loops cannot be parted."""
 _ENABLED = 0x8622
 _EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
 _CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
@@ -84,29 +86,39 @@ def replay(stream: bytes) -> None:
         calls[stream[at + TAG_OFFSET]](stream[at : at + TAG_OFFSET])
 
 
-def worthwhile(stream: bytes) -> bool:
-    """Whether a stream is large enough, and of a kind, to be drawn from arrays.
-
-    It is not when an attribute comes with different numbers of components: Mesa 22.3 then lets
-    components of one call stand in the next, and the picture depends on its own buffering.
-    """
-    if len(stream) < SMALL:
+def able(mode: int) -> bool:
+    """Whether a large primitive of this mode may be drawn from arrays in the state that the driver
+    is in. Ask outside a primitive: these queries disturb nothing, not even Mesa's batching."""
+    context = current_context()
+    if mode not in _HEADS or not context:
         return False
-    used = np.flatnonzero(np.bincount(decode(stream)[0], minlength=len(KIND)))
-    if _EDGE_FLAG_TAG in used:
-        return False
-    sizes: dict[int, int] = {VERTEX: 0}
-    return all(sizes.setdefault(int(KIND[tag]), int(SIZE[tag])) in (0, SIZE[tag]) for tag in used)
-
-
-def drawable() -> bool:
-    """Whether :func:`draw` is exactly equivalent in this context. Ask outside a primitive."""
+    if context not in _obstacles:
+        _obstacles[context] = _obstacles_of_version()
+    obstacles = _obstacles[context]
     return bool(
-        current_context()
+        obstacles
+        and not any(map(_integer, obstacles))
         and _integer(0x0BB1) < _integer(0x0D3B)  # room on the client attribute stack
-        and not _integer(0x8B8D)  # the app's program may look at gl_VertexID
-        and not _vertex_array_object()
+        and not (mode == _LINE_STRIP and gl.glIsEnabled(0x0B24))  # the stipple runs along it
     )
+
+
+_obstacles: dict[int, tuple[int, ...]] = {}
+"""By context the integers that must be zero; empty when arrays are out of the question."""
+
+
+def _obstacles_of_version() -> tuple[int, ...]:
+    program, array_object = 0x8B8D, 0x85B5  # a program of the app's may look at gl_VertexID
+    text = gl.glGetString(0x1F02)
+    number = ctypes.string_at(text).split(b".")[0] if text else b""
+    major = int(number) if number.isdigit() else 0
+    if major >= 3:
+        return program, array_object
+    names = gl.glGetString(0x1F03) if major == 2 else None
+    if not names:
+        return ()
+    known = b"_vertex_array_object" in ctypes.string_at(names)
+    return (program, array_object) if known else (program,)
 
 
 _value = (ctypes.c_int * 16)()
@@ -123,56 +135,51 @@ def list_open() -> bool:
     return bool(current_context() and _integer(0x0B33))
 
 
-def _vertex_array_object() -> bool:
-    try:
-        _ = gl.glBindVertexArray
-    except AttributeError:
-        return False
-    return bool(_integer(0x85B5))
+def draw(mode: int, stream: bytes) -> bool:
+    """Say a recorded primitive whose glBegin the driver has: the first polygon call by call, then
+    glEnd, and the rest in one glDrawArrays. The app's array state is left as it was.
 
+    False, and nothing is said, for a stream that only a replay renders exactly.
 
-def draw(mode: int, stream: bytes) -> None:
-    """Draw a recorded primitive in one glDrawArrays; the app's array state is left as it was.
-
-    Attributes that do not change between vertices are set, not sent as arrays; vertices before the
-    first call of an attribute get the current one, as in immediate mode.
+    Mesa 22.3 sets the terms. An empty glBegin/glEnd pair makes it lose the next primitive: hence
+    the first polygon. An attribute that comes in different sizes, or for the first time after some
+    vertices, makes it cut the primitive where its buffers happen to stand: hence replays.
     """
+    head, start = _HEADS[mode]
     tags, values = decode(stream)
     period = _period(tags)
     if period:
-        _draw_regular(mode, stream, tags[:period], len(tags) // period)
-        return
+        return _draw_regular(mode, stream, tags[:period], head, start)
+    used = np.flatnonzero(np.bincount(tags, minlength=len(KIND)))
     kinds = KIND[tags]
     vertex_rows = np.flatnonzero(kinds == VERTEX)
-    if not len(vertex_rows):
-        replay(stream)
-        return
-    sizes = SIZE[tags[vertex_rows]]
-    size = int(sizes.max())
-    positions = _filled(values[vertex_rows], sizes)[:, :size]
+    if _EDGE_FLAG_TAG in used or len(set(KIND[used].tolist())) < len(used):
+        return False
+    if len(vertex_rows) <= head:
+        return False
     arrays: list[_Array] = []
     last: list[bytes] = []
     kept: list[NDArray[np.float32]] = []  # alive until they are drawn
-    for kind in (NORMAL, COLOR, TEXCOORD):
-        rows = np.flatnonzero(kinds == kind)
-        if not len(rows):
-            continue
-        at = int(rows[-1])
-        record = stream[at * RECORD_BYTES : (at + 1) * RECORD_BYTES]
-        if rows[-1] < vertex_rows[0]:
-            replay(record)
-            continue
-        last.append(record)
-        given = _filled(values[rows], SIZE[tags[rows]])
-        which = np.cumsum(kinds == kind)[vertex_rows] - 1
-        array = _per_vertex(kind, given, which)
+    for tag in used:
+        kind, size = int(KIND[tag]), int(SIZE[tag])
+        rows = np.flatnonzero(tags == tag)
+        if rows[0] > vertex_rows[0]:
+            return False
+        if kind != VERTEX:
+            if rows[-1] < vertex_rows[0]:
+                continue  # set once, before all vertices: the head says it
+            at = int(rows[-1]) * RECORD_BYTES
+            last.append(stream[at : at + RECORD_BYTES])
+        which = np.cumsum(tags == tag)[vertex_rows[start:]] - 1
+        array = np.ascontiguousarray(values[rows[which], :size])
         kept.append(array)
-        arrays.append((kind, array.shape[1], array.ctypes.data))
-    positions = np.ascontiguousarray(positions)
-    arrays.append((VERTEX, size, positions.ctypes.data))
-    _draw_arrays(mode, len(positions), arrays, 0)
+        arrays.append((kind, size, array.ctypes.data))
+    replay(stream[: (int(vertex_rows[head - 1]) + 1) * RECORD_BYTES])
+    gl.glEnd()
+    _draw_arrays(mode, len(vertex_rows) - start, arrays, 0)
     for record in last:
         replay(record)
+    return True
 
 
 def _period(tags: NDArray[np.int32]) -> int:
@@ -186,41 +193,23 @@ def _period(tags: NDArray[np.int32]) -> int:
     return period if regular else 0
 
 
-def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], count: int) -> None:
+def _draw_regular(
+    mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int
+) -> bool:
     """The stream is an interleaved array as it stands: nothing is copied."""
-    base = int(np.frombuffer(stream, np.uint8).ctypes.data)
+    stride = len(tags) * RECORD_BYTES
+    count = len(stream) // stride
+    if _EDGE_FLAG_TAG in tags or count <= head:
+        return False
+    base = int(np.frombuffer(stream, np.uint8).ctypes.data) + start * stride
     arrays = [
         (int(KIND[tag]), int(SIZE[tag]), base + i * RECORD_BYTES) for i, tag in enumerate(tags)
     ]
-    _draw_arrays(mode, count, arrays, len(tags) * RECORD_BYTES)
-    replay(stream[-len(tags) * RECORD_BYTES : -RECORD_BYTES])
-
-
-def _filled(values: NDArray[np.float32], sizes: NDArray[np.int8]) -> NDArray[np.float32]:
-    """Values (N, 4) with what GL puts for the components that were not given: 0, 0, 0, 1."""
-    filled = np.ascontiguousarray(values)
-    if (sizes < 4).any():
-        filled = filled.copy() if filled is values else filled
-        filled[sizes < 4, 3] = 1.0
-    return filled
-
-
-def _per_vertex(
-    kind: int, given: NDArray[np.float32], which: NDArray[np.intp]
-) -> NDArray[np.float32]:
-    """The attribute that is current at each vertex, (V, 3 or 4) float32.
-
-    ``given`` (N, 4) are the values that were set, ``which`` (V,) says which of them is the last
-    before each vertex; -1 means none was, and the driver's current one holds.
-    """
-    _, current_name, components = _ARRAYS[kind]
-    result = given[which]
-    before = which < 0
-    if before.any():
-        current = (ctypes.c_float * 4)()
-        gl.glGetFloatv(current_name, current)
-        result[before] = np.array(current, np.float32)
-    return np.ascontiguousarray(result[:, :components])
+    replay(stream[: head * stride])
+    gl.glEnd()
+    _draw_arrays(mode, count - start, arrays, stride)
+    replay(stream[-stride:-RECORD_BYTES])
+    return True
 
 
 def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> None:
@@ -237,7 +226,7 @@ def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> No
     for index in generic:
         gl.glDisableVertexAttribArray(index)
     for kind, size, address in arrays:
-        gl.glEnableClientState(_VERTEX_ARRAY if kind == VERTEX else _ARRAYS[kind][0])
+        gl.glEnableClientState(_ARRAYS[kind])
         if kind == VERTEX:
             gl.glVertexPointer(size, _GL_FLOAT, stride, address)
         elif kind == NORMAL:

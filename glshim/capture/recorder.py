@@ -9,22 +9,23 @@ rest of the primitive goes straight through, recorded as well.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from io import BytesIO
-from operator import index
-from struct import Struct
 from typing import Any, Protocol
 
 from numpy import ndarray
 
 from ..spec.attributes import ATTRIBUTES, Attribute
-from ..spec.driver import gl, quick
+from ..spec.driver import quick
 from . import forward
+from .conversions import INTEGERS, LISTED, as_c_takes, enum
 from .raw import RAW, Call, Maker
 
 _MISSING: Any = object()
 _SEQUENCES = (list, tuple, ndarray)
+_LOOK_OUT = 64
+"""Primitives after a large one that may be large, too."""
 _LAST_MODE = 13
 """GL_TRIANGLE_STRIP_ADJACENCY: greater modes are errors inside glBegin."""
 
@@ -108,6 +109,8 @@ class Recorder:
         shadow = False  # what goes straight through is recorded as well
         bare = False  # inside a display list, outside any primitive of it
         mode = 0
+        expected = 0  # so many more primitives may be large: ask beforehand whether arrays do
+        able = False  # they do for the open primitive, should it turn out large
         stream = BytesIO()
         write: Callable[[bytes], int] = stream.write
 
@@ -170,18 +173,23 @@ class Recorder:
             driver_begin = quick("glBegin")
 
             def begin(*args: Any) -> Any:
-                nonlocal deferred, mode, stream, write, shadow, bare
+                nonlocal deferred, mode, stream, write, shadow, bare, expected, able
                 if bare:
                     if self.sink is not None:
                         self.sink.bare(stream.getvalue())
                     bare = shadow = False
                 new_mode = args[0] if len(args) == 1 else None
                 if not isinstance(new_mode, int):
-                    new_mode = _enum(new_mode)
+                    new_mode = enum(new_mode)
                 if deferred or shadow or not 0 <= new_mode <= _LAST_MODE:
                     return real(*args)
                 if self.sink is not None:
                     self.sink.begin(new_mode)
+                if expected:
+                    expected -= 1
+                    able = forward.able(new_mode)
+                elif able:
+                    able = False
                 if careful:
                     real(*args)
                 else:
@@ -196,7 +204,7 @@ class Recorder:
 
         def make_end(real: Call) -> Call:
             def end(*args: Any) -> Any:
-                nonlocal deferred, shadow, bare
+                nonlocal deferred, shadow, bare, expected
                 if not deferred and not shadow:
                     return real(*args)
                 records = stream.getvalue()
@@ -208,12 +216,10 @@ class Recorder:
                     return real(*args)
                 held, deferred, shadow = deferred, False, False
                 try:
-                    if held and not self.list_open and forward.worthwhile(records):
-                        gl.glEnd()  # nothing may be asked inside a primitive: close it, empty
-                        if forward.drawable():
-                            forward.draw(mode, records)
+                    if held and len(records) >= forward.SMALL:
+                        expected = _LOOK_OUT
+                        if able and not self.list_open and forward.draw(mode, records):
                             return forward.check(real)
-                        gl.glBegin(mode)
                     if held:
                         forward.replay(records)
                     return real(*args)
@@ -228,7 +234,7 @@ class Recorder:
 
         def floats(row: Attribute) -> Maker:
             tag, pack, size = row.tag, row.pack.pack, row.size
-            taken = _as_c_takes(row)
+            taken = as_c_takes(row)
 
             def other(real: Call, args: tuple[Any, ...]) -> Any:
                 """Straight through, or an argument that does not pack: the driver decides."""
@@ -295,8 +301,8 @@ class Recorder:
 
         def integers(row: Attribute) -> Maker:
             tag, pack = row.tag, row.pack.pack
-            convert = _INTEGERS[row.type](row.size)
-            taken = _as_c_takes(row)
+            convert = INTEGERS[row.type](row.size)
+            taken = as_c_takes(row)
 
             def make(real: Call) -> Call:
                 def record(*args: Any) -> Any:
@@ -317,7 +323,7 @@ class Recorder:
 
         def pointers(row: Attribute) -> Maker:
             """The vector form on the raw layer: its argument is something with an address."""
-            taken = _as_c_takes(row)
+            taken = as_c_takes(row)
 
             def make(real: Call) -> Call:
                 def record(*args: Any) -> Any:
@@ -342,7 +348,7 @@ class Recorder:
         def vectors(row: Attribute) -> Maker:
             """The vector form as PyOpenGL wraps it: lists, tuples and arrays are unpacked here."""
             tag, pack = row.tag, row.pack.pack
-            convert = _LISTED[row.type](row.size) if row.type in _LISTED else None
+            convert = LISTED[row.type](row.size) if row.type in LISTED else None
 
             def make(base: Call) -> Call:
                 def record(this: Any, v: Any = _MISSING, /, *more: Any) -> Any:
@@ -365,7 +371,7 @@ class Recorder:
             wrappers["glBegin"] = _quick("glBegin", unchecked, "onBegin", 1)
             wrappers["glEnd"] = _quick("glEnd", make_end, "onEnd", 0)
         for row in ATTRIBUTES:
-            scalars = integers(row) if row.type in _INTEGERS else floats(row)
+            scalars = integers(row) if row.type in INTEGERS else floats(row)
             raw[row.name] = _named(row.name, scalars)
             raw[row.name + "v"] = _named(row.name + "v", pointers(row))
             wrappers[row.name + "v"] = _named(row.name + "v", vectors(row))
@@ -409,73 +415,5 @@ def _quick(name: str, make: Maker, bookkeeping: str, count: int) -> Maker:
 
     return make_wrapper
 
-
-def _enum(value: Any) -> int:
-    """An enum given as something that ctypes takes for an integer; -1 for anything else."""
-    try:
-        return index(getattr(value, "value", value))
-    except TypeError:
-        return -1
-
-
-def _as_c_takes(row: Attribute) -> Callable[[Sequence[Any]], bytes]:
-    """Makes the record of arguments that the driver took, converted as C does: integers wrap,
-    large doubles become infinite. Empty when that cannot be told."""
-    convert = _INTEGERS[row.type](row.size) if row.type in _INTEGERS else None
-    element = forward.ELEMENTS["f" if row.type == "d" else row.type]
-    pack, tag, size = row.pack.pack, row.tag, row.size
-
-    def taken(args: Sequence[Any]) -> bytes:
-        try:
-            values = [element(getattr(a, "value", a)).value for a in args[:size]]
-            return pack(*(convert(*values) if convert else values), tag)
-        except Exception:
-            return b""
-
-    return taken
-
-
-def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
-    def sized(size: int) -> Callable[..., tuple[Any, ...]]:
-        check = Struct(f"={size}{letter}").pack
-
-        def convert(*args: Any) -> tuple[Any, ...]:
-            check(*args)  # floats, or integers that C would wrap: not recorded
-            return args
-
-        return convert
-
-    return sized
-
-
-def _bytes(size: int) -> Callable[..., tuple[Any, ...]]:
-    """Unsigned bytes as C takes them (300 is 44), made 0..1 as GL does."""
-    if size == 3:
-        return lambda r, g, b: ((r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0)
-    return lambda r, g, b, a: (
-        (r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0, (a & 255) / 255.0
-    )  # fmt: skip
-
-
-def _strict_bytes(size: int) -> Callable[..., tuple[Any, ...]]:
-    """Unsigned bytes from a list, which numpy converts and does not wrap."""
-    check = Struct(f"={size}B").pack
-    return lambda *args: tuple(value / 255.0 for value in check(*args))
-
-
-def _switch(size: int) -> Callable[..., tuple[Any, ...]]:
-    return lambda flag: (flag & 255,)  # Mesa answers glGet by its very value
-
-
-def _strict_switch(size: int) -> Callable[..., tuple[Any, ...]]:
-    check = Struct("=B").pack
-    return lambda flag: tuple(check(flag))
-
-
-_Converters = dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]]
-_INTEGERS: _Converters = {"i": _ranged("i"), "s": _ranged("h"), "u": _bytes, "b": _switch}
-"""By type letter: from an argument count to what turns C integers into the recorded floats."""
-_LISTED: _Converters = {**_INTEGERS, "u": _strict_bytes, "b": _strict_switch}
-"""The same for members of lists, tuples and arrays."""
 
 RECORDER = Recorder()
