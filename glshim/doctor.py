@@ -34,11 +34,8 @@ _LIBRARIES = {
     "GLUT": "libglut-dev, since PyOpenGL does not find libglut.so.3.12",
     "GLE": "libgle3",
 }
-_DISTRIBUTIONS = {"glfw": "glfw", "pygame.display": "pygame"}
-_NOT_HOOKED = {
-    "tkinter": "Tk (pyopengltk)", "sdl2": "PySDL2", "pyglet": "pyglet", "wx": "wxPython",
-    "PyQt5": "PyQt5", "PyQt6": "PyQt6", "PySide6": "PySide6",
-}  # fmt: skip
+_DISTRIBUTIONS = {"OpenGL": "PyOpenGL", "sdl2": "PySDL2", "wx": "wxPython"}
+"""By package, where the names differ."""
 
 
 def print_report(*, headless: bool = False) -> int:
@@ -140,16 +137,22 @@ def ask(environ: Mapping[str, str]) -> Probe:
 
 def _toolkits() -> None:
     _heading("toolkits")
+    packages: dict[str, list[str]] = {}
     for toolkit in TOOLKITS:
         package = toolkit.module.partition(".")[0]
-        name = _DISTRIBUTIONS.get(toolkit.module, "PyOpenGL")
-        here = (
-            f"{name} {_version_of(name) or ''}".strip() if find_spec(package) else "not installed"
-        )
-        _row(toolkit.name, f"{here}; a frame ends at {toolkit.how}")
-    for module, name in _NOT_HOOKED.items():
-        if find_spec(module):
-            _row(name, "here, but its frame ends are not hooked")
+        rows = packages.setdefault(package, [])
+        how = f"{toolkit.name}: {toolkit.how}" if package == "OpenGL" else toolkit.how
+        if how not in rows:
+            rows.append(how)
+    for package, ends in packages.items():
+        name = _DISTRIBUTIONS.get(package, package)
+        if find_spec(package):
+            _row(name, f"{_version_of(name) or 'here'}; a frame ends at {ends[0]}")
+            for end in ends[1:]:
+                _row("", f"or at {end}")
+    missing = [_DISTRIBUTIONS.get(p, p) for p in packages if not find_spec(p)]
+    if missing:
+        _row("not installed", ", ".join(missing))
 
 
 def print_startup_cost() -> int:

@@ -42,6 +42,8 @@ class Surface:
     size: Callable[[], Size | None]
     may_raise: bool = True
     """Whether an exception that leaves the present call gets through to the app's main loop."""
+    framebuffer: Callable[[], int] = lambda: 0
+    """The framebuffer object that it is drawn into, 0 for the window's own."""
 
 
 UNKNOWN = Surface(lambda: None)
@@ -143,6 +145,13 @@ def drawable_size() -> Size | None:
     with suppress(Exception):
         return _surface.size()
     return None
+
+
+def drawable_framebuffer() -> int:
+    """The framebuffer object of what is being presented, 0 for the window's own."""
+    with suppress(Exception):
+        return _surface.framebuffer()
+    return 0
 
 
 def end_program() -> None:

@@ -174,7 +174,8 @@ class RawLayer:
         self.matchers.clear()
         for slots in (*self._raw.values(), *self._wrappers.values()):
             for slot in slots:
-                slot.put(None)
+                if slot.hooked:
+                    slot.put(None)
         self._raw.clear()
         self._wrappers.clear()
         while self._undo:
@@ -191,6 +192,9 @@ def _subclasses(base: type) -> Iterator[type]:
 RAW = RawLayer()
 
 
+_TYPES = ("_flags_", "_restype_", "_argtypes_")
+
+
 def hook_function(function: Any, hook: Call | None) -> None:
     """Make a ctypes function object call the hook, in place, so that early from-imports follow.
 
@@ -204,9 +208,8 @@ def hook_function(function: Any, hook: Call | None) -> None:
     if hook is None:
         return
     body = {
-        "_flags_": cls._flags_,
-        "_restype_": cls._restype_,
-        "_argtypes_": cls._argtypes_,
+        # A library's own functions have no types on their class, but on themselves.
+        **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
         "_glshim_original": cls,
         "__call__": lambda _self, *args: hook(*args),
     }

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from glshim.capture import frames
 from glshim.capture.frames import Size, Surface
+from glshim.capture.qt import hook_painting, hook_swaps
 from glshim.capture.raw import hook_function, original_call
 
 if TYPE_CHECKING:
@@ -167,6 +168,72 @@ def _pygame_present(module: ModuleType, plain: Callable[..., None]) -> Callable[
 _OPENGL, _PREALLOC = 0x2, 0x1000000
 
 
+# --- pyglet, SDL2, wx, GLX ----------------------------------------------------------------------
+
+
+def _hook_pyglet(module: ModuleType) -> None:
+    plain = module.Window.flip
+
+    @functools.wraps(plain)
+    def flip(window: Any) -> None:
+        frames.present(plain, window, on=Surface(window.get_framebuffer_size))
+
+    module.Window.flip = flip
+
+
+def _hook_sdl2(module: ModuleType) -> None:
+    function = module.SDL_GL_SwapWindow
+    swap = original_call(function)
+
+    def size_of(window: Any) -> Size:
+        width, height = ctypes.c_int(), ctypes.c_int()
+        module.SDL_GL_GetDrawableSize(window, ctypes.byref(width), ctypes.byref(height))
+        return width.value, height.value
+
+    def swap_window(window: Any, *more: Any) -> Any:
+        on = Surface(functools.partial(size_of, window))
+        return frames.present(swap, window, *more, on=on)
+
+    hook_function(function, swap_window)
+
+
+def _hook_wx(module: ModuleType) -> None:
+    plain = module.GLCanvas.SwapBuffers
+
+    def size_of(canvas: Any) -> Size:
+        width, height = canvas.GetClientSize()
+        ratio = canvas.GetContentScaleFactor()
+        return round(width * ratio), round(height * ratio)
+
+    @functools.wraps(plain)
+    def swap_buffers(canvas: Any) -> Any:
+        on = Surface(functools.partial(size_of, canvas), may_raise=False)
+        return frames.present(plain, canvas, on=on)
+
+    module.GLCanvas.SwapBuffers = swap_buffers
+
+
+def _hook_glx(module: ModuleType) -> None:
+    if not module.glXSwapBuffers:  # which loads it; none without GLX
+        return
+    function = type(module.glXSwapBuffers)
+    function.__call__ = staticmethod(functools.partial(frames.present, function.__call__))
+
+
+# --- Qt -----------------------------------------------------------------------------------------
+
+_PAINTED, _SWAPPED = "the return of paintGL", "swapBuffers"
+_QT = (
+    ("QtGui", hook_painting("QOpenGLWindow"), _PAINTED),
+    ("QtGui", hook_swaps(QOpenGLContext="swapBuffers"), _SWAPPED),
+    ("QtWidgets", hook_painting("QOpenGLWidget"), _PAINTED),
+    ("QtOpenGL", hook_painting("QGLWidget", "QOpenGLWindow"), _PAINTED),
+    ("QtOpenGL", hook_swaps(QGLWidget="swapBuffers"), _SWAPPED),
+    ("QtOpenGLWidgets", hook_painting("QOpenGLWidget"), _PAINTED),
+)
+"""Modules of one Qt binding: where a class lies differs between Qt 5 and 6."""
+
+
 TOOLKITS = (
     Toolkit("GLUT", "OpenGL.raw.GLUT", _hook_glut_swap, "glutSwapBuffers"),
     Toolkit(
@@ -177,4 +244,13 @@ TOOLKITS = (
     ),
     Toolkit("glfw", "glfw", _hook_glfw, "glfw.swap_buffers"),
     Toolkit("pygame", "pygame.display", _hook_pygame, "pygame.display.flip"),
+    Toolkit("pyglet", "pyglet.window", _hook_pyglet, "Window.flip"),
+    Toolkit("SDL2", "sdl2.video", _hook_sdl2, "SDL_GL_SwapWindow"),
+    Toolkit("wx", "wx.glcanvas", _hook_wx, "GLCanvas.SwapBuffers"),
+    Toolkit("GLX, Tk by pyopengltk", "OpenGL.raw.GLX.VERSION.GLX_1_0", _hook_glx, "glXSwapBuffers"),
+    *(
+        Toolkit(package, f"{package}.{part}", hook, how)
+        for package in ("PyQt5", "PySide2", "PyQt6", "PySide6")
+        for part, hook, how in _QT
+    ),
 )

@@ -20,6 +20,7 @@ _VIEWPORT, _VERSION, _DOUBLEBUFFER = 0x0BA2, 0x1F02, 0x0C32
 _FRAMEBUFFERS = ((0x8CA8, 0x8CAA), (0x8CA9, 0x8CA6))  # read, draw: target and binding
 _PIXEL_PACK_BUFFER, _PIXEL_PACK_BUFFER_BINDING = 0x88EB, 0x88ED
 _READ_BUFFER, _FRONT, _BACK = 0x0C02, 0x0404, 0x0405
+_COLOR_ATTACHMENT, _SAMPLE_BUFFERS = 0x8CE0, 0x80A8
 _RGB, _UNSIGNED_BYTE = 0x1907, 0x1401
 _CONTEXT_PROFILE_MASK, _CORE_PROFILE = 0x9126, 0x1
 
@@ -42,8 +43,9 @@ _TRANSFER = (
 )
 
 
-def grab(size: tuple[int, int] | None = None) -> Image:
+def grab(size: tuple[int, int] | None = None, framebuffer: int = 0) -> Image:
     """What the current context is about to present; without a size, as much as the viewport.
+    Black where the framebuffer is an object with several samples.
 
     Every GL call here is legal in the context's own version, so no error arises, and one that the
     app has yet to fetch stays where it is.
@@ -54,17 +56,24 @@ def grab(size: tuple[int, int] | None = None) -> Image:
         _, _, *extent = _integers(_VIEWPORT, 4)
         size = extent[0], extent[1]
     pixels = ctypes.create_string_buffer(size[0] * size[1] * 3)
-    with _plain_reading():
-        gl.glReadPixels(0, 0, *size, _RGB, _UNSIGNED_BYTE, pixels)
+    with _plain_reading(framebuffer) as readable:
+        if readable:
+            gl.glReadPixels(0, 0, *size, _RGB, _UNSIGNED_BYTE, pixels)
     return Image.frombytes("RGB", size, pixels.raw, "raw", "RGB", 0, -1)
 
 
 class FrameWriter:
     """Writes each frame to ``pattern``, whose ``%d`` is the frame's number, from 1."""
 
-    def __init__(self, pattern: str, size: Callable[[], tuple[int, int] | None]) -> None:
+    def __init__(
+        self,
+        pattern: str,
+        size: Callable[[], tuple[int, int] | None],
+        framebuffer: Callable[[], int] = lambda: 0,
+    ) -> None:
         self._pattern = pattern
         self._size = size
+        self._framebuffer = framebuffer
         self._number = 0
         self._usable = True
 
@@ -79,7 +88,7 @@ class FrameWriter:
         path = Path(self._numbered())
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            grab(size).save(path)
+            grab(size, self._framebuffer()).save(path)
         except OSError as error:
             self._usable = False
             say(f"cannot write {path}: {error.strerror or error}; no more frames are written")
@@ -92,8 +101,9 @@ class FrameWriter:
 
 
 @contextmanager
-def _plain_reading() -> Iterator[None]:
-    """Tight pixels of the window itself, whatever framebuffer and pixel state the app has set."""
+def _plain_reading(framebuffer: int) -> Iterator[bool]:
+    """Tight pixels of what is shown, whatever framebuffer and pixel state the app has set. Gives
+    whether GL can read them."""
     undo: list[tuple[Callable[..., Any], tuple[Any, ...]]] = []
 
     def change(function: Callable[..., Any], *new: Any, back_to: Any) -> None:
@@ -104,11 +114,12 @@ def _plain_reading() -> Iterator[None]:
     if version >= (3, 0):
         # The draw binding too: GL_DOUBLEBUFFER tells about that one.
         for target, binding in _FRAMEBUFFERS:
-            change(gl.glBindFramebuffer, target, 0, back_to=_integer(binding))
+            change(gl.glBindFramebuffer, target, framebuffer, back_to=_integer(binding))
     if version >= (2, 1):
         bound = _integer(_PIXEL_PACK_BUFFER_BINDING)
         change(gl.glBindBuffer, _PIXEL_PACK_BUFFER, 0, back_to=bound)
-    buffer = _BACK if _integer(_DOUBLEBUFFER) else _FRONT
+    window_buffer = _BACK if _integer(_DOUBLEBUFFER) else _FRONT
+    buffer = _COLOR_ATTACHMENT if framebuffer else window_buffer
     change(gl.glReadBuffer, buffer, back_to=_integer(_READ_BUFFER))
     for name, value in _PACKING:
         change(gl.glPixelStorei, name, value, back_to=_integer(name))
@@ -116,7 +127,7 @@ def _plain_reading() -> Iterator[None]:
         for name, plain in _TRANSFER:
             change(_pixel_transfer(), name, plain, back_to=_float(name))
     try:
-        yield
+        yield not (framebuffer and _integer(_SAMPLE_BUFFERS))
     finally:
         for function, arguments in reversed(undo):
             function(*arguments)
