@@ -32,6 +32,8 @@ _FILLED, _LINES = 0x1B02, 0x1B01
 _OFF = (0x0B44, 0x0B50, 0x0B60, 0x8037, 0x0BC0, 0x0B42, 0x0B24,
         0x3000, 0x3001, 0x3002, 0x3003, 0x3004, 0x3005)  # fmt: skip
 """Culling, lighting, fog, polygon offset, alpha test, stipple, clip planes: not in the way."""
+_STACKS = ((0x0BB0, 0x0D35), (0x0BB1, 0x0D3B))
+"""Depths of the attribute stacks, and their limits."""
 _SIDE = 1024
 _FIRST_RADIUS = 1.0e6
 _COARSE = 2.0**-21
@@ -57,6 +59,17 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
             radius = reach
         _, lines = _parse(_run(draw, set_stage, radius, _LINES), radius)
     return _batch(triangles, lines, key)
+
+
+def possible() -> bool:
+    """Whether there is room on the attribute stacks. Ask before :func:`polygons`."""
+    depth, limit = ctypes.c_int(), ctypes.c_int()
+    for name, most in _STACKS:
+        gl.glGetIntegerv(name, ctypes.byref(depth))
+        gl.glGetIntegerv(most, ctypes.byref(limit))
+        if depth.value >= limit.value:
+            return False
+    return True
 
 
 @contextmanager

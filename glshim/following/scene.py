@@ -113,9 +113,11 @@ class Scene:
 
     def polygons(self, key: Hashable | None, draw: Callable[[], Any]) -> PolygonBatch | None:
         """Polygons of a shape that C code draws, from feedback mode the first time."""
+        found = None if key is None else self._shapes.get(key)
+        if found is None and not feedback.possible():
+            return None
         if key is None:
             return feedback.polygons(draw)
-        found = self._shapes.get(key)
         if found is None:
             batch = feedback.polygons(draw, ("shape", key))
             size = batch.positions.nbytes if batch is not None else 1
