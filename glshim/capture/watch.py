@@ -66,15 +66,19 @@ class Watch:
 
     def attach(self, watcher: Watcher) -> None:
         """Tell a watcher about every draw from now on."""
+        RAW.unhook_matching(self._own)  # some of its names are the watcher's now
         self._watcher = RECORDER.sink = watcher
         RAW.hook_matching(self._watching)
+        RAW.hook_matching(self._own)
 
     def detach(self) -> None:
         """Tell nobody any more."""
         if self._watcher is not None:
             self._follow_lists(False)
             RAW.unhook_matching(self._watching)
-        self._watcher = RECORDER.sink = None
+            RAW.unhook_matching(self._own)
+            self._watcher = RECORDER.sink = None
+            RAW.hook_matching(self._own)
 
     # -- makers, one per name, made when the name is first called -------------------------------
 

@@ -6,11 +6,11 @@ from functools import cache
 
 import pytest
 
-from . import scenes_errors, scenes_immediate, scenes_state
+from . import scenes_errors, scenes_immediate, scenes_lists, scenes_state
 from .registry import SCENES
 from .world import Outcome, run
 
-FILES = (scenes_errors, scenes_immediate, scenes_state)
+FILES = (scenes_errors, scenes_immediate, scenes_lists, scenes_state)
 
 
 @cache
