@@ -53,7 +53,7 @@ OTHERS = (
     Program("pygame/glcube", "pygame", str(HERE / "apps" / "glcube_fixed.py")),
     Program("pygame/glcube, core profile", "pygame", "-m pygame.examples.glcube", inked=False),
     Program("dxf2gcode", "dxf2gcode", "usr/bin/dxf2gcode", (str(HERE / "apps" / "plate.dxf"),),
-            home=str(HERE / "apps" / "dxf2gcode_home"), frames=1, inked=False),  # Qt: not yet
+            home=str(HERE / "apps" / "dxf2gcode_home"), frames=1),
 )
 
 OLD_MANNERS = (
@@ -63,9 +63,19 @@ OLD_MANNERS = (
     Program("raw_threads", "ours", str(HERE / "apps" / "raw_threads.py"), frames=4),
 )
 
+TOOLKITS = tuple(
+    Program(name, source, str(HERE / "apps" / f"{name}.py"), frames=frames)
+    for name, source, frames in (
+        ("qt_widgets", "dxf2gcode", 1),  # which brings PyQt5 and the libraries that it needs
+        ("tk_frame", "pyopengltk", 1),
+        ("sdl_window", "PySDL2", 4),
+        ("pyglet_window", "pyglet", 4),
+    )
+)
+
 OURS = tuple(
     Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
     for name in ("cad_part", "robot_arm", "island", "cloth", "viewer")
 )
 
-PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + OURS
+PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + TOOLKITS + OURS

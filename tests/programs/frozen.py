@@ -315,6 +315,24 @@ def freeze_glut(glut: ModuleType, recorder: Recorder) -> None:
     GlutLoop(glut, recorder)
 
 
+def freeze_glx(glx: ModuleType, recorder: Recorder) -> None:
+    around(glx, "glXSwapBuffers", recorder.presented)
+
+
+def freeze_sdl2(sdl2: ModuleType, recorder: Recorder) -> None:
+    around(sdl2, "SDL_GL_SwapWindow", recorder.presented)
+
+
+def freeze_pyglet(window: ModuleType, recorder: Recorder) -> None:
+    plain = window.Window.flip
+
+    def flip(shown: Any) -> None:
+        plain(shown)
+        recorder.presented(shown._window)
+
+    window.Window.flip = flip
+
+
 def freeze_qt(widgets: ModuleType, recorder: Recorder) -> None:
     """Qt puts its widgets together unseen: take the whole screen once the windows stand still."""
     run = widgets.QApplication.exec_
@@ -367,7 +385,8 @@ def main() -> None:
     freeze_luck()
     freeze_clock(recorder)
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
-             "glfw": freeze_glfw, "PyQt5.QtWidgets": freeze_qt}
+             "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "sdl2": freeze_sdl2,
+             "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}
     sys.meta_path.insert(0, AfterImport(
         {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))
     recorder.watch(patience=10.0)

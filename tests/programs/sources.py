@@ -9,6 +9,7 @@ import tempfile
 import zipfile
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 from .catalog import HERE, Program
@@ -19,6 +20,9 @@ DISTRIBUTIONS = {
     "phalcopulse": ("phalcopulse==0.1.5",),
     "PyOpenGL": ("PyOpenGL==3.1.10", "--no-binary", ":all:"),  # its tests
     "psutil": ("psutil",),  # they import it
+    "pyopengltk": ("pyopengltk==0.0.4",),
+    "PySDL2": ("PySDL2==0.9.17", "pysdl2-dll"),
+    "pyglet": ("pyglet==2.1.19",),
     "six": ("six",),  # PyOpenGL-Demo imports it
     "imageio": ("imageio",),  # phalcopulse imports it
     "PyQt5": ("PyQt5==5.15.11", "PyQt5-sip", "PyQt5-Qt5", "configobj"),  # for dxf2gcode
@@ -28,6 +32,7 @@ DEBIAN = {  # packages of Debian, unpacked, not installed; the libraries are for
 }
 NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",), "dxf2gcode": ("PyQt5",)}
 PLACES = {"dxf2gcode": "usr/lib/python3/dist-packages"}  # where a source's modules lie
+MODULES = {"pyopengltk": "tkinter"}  # that come with Python, or do not
 LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu"}
 
 
@@ -95,6 +100,9 @@ class Launch:
 
 def launch(program: Program) -> Launch:
     """Fetch the program where need be and say how it is started."""
+    needed = MODULES.get(program.source)
+    if needed and find_spec(needed) is None:
+        raise SourceMissing(f"this Python has no {needed}")
     folder = HERE.parent.parent
     paths: list[Path] = []
     libraries: list[Path] = []
