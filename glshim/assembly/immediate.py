@@ -153,6 +153,12 @@ def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatc
     return reversed_winding(moved) if np.linalg.det(matrix[:3, :3]) < 0 else moved
 
 
+def scaled(batch: PolygonBatch, factor: float, key: Hashable | None) -> PolygonBatch:
+    """The batch, so many times larger."""
+    positions = batch.positions * np.float32(factor)
+    return PolygonBatch(positions, batch.corners, batch.starts, batch.boundary, key)
+
+
 def reversed_winding(batch: PolygonBatch) -> PolygonBatch:
     """The same polygons seen from the other side: corners and sides in reverse order."""
     count = len(batch.corners)

@@ -9,7 +9,7 @@ the function, not on the list: Mesa 22.3 crashes when some lists are called in f
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry.transforms import MATRIX_CALLS
+from ..spec.shapes import Shape
 from .batch import PolygonBatch
 from .immediate import assemble_many, concatenate, transformed
 
@@ -62,14 +63,6 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
-class Shape:
-    """Something that C code drew; `draw` draws it again."""
-
-    key: Hashable | None
-    draw: Callable[[], Any]
-
-
-@dataclass(frozen=True, slots=True)
 class Bare:
     """Vertices outside any glBegin of this list: legal when it is called inside one."""
 
@@ -90,8 +83,8 @@ class Closing:
 
 
 Item = Primitive | Call | Change | Shape | Bare | Opening | Closing | PolygonBatch
-ShapePolygons = Callable[[Hashable | None, Callable[[], Any]], PolygonBatch | None]
-"""Polygons of a shape by its key, found again or drawn in feedback mode."""
+ShapePolygons = Callable[[Shape], PolygonBatch | None]
+"""Polygons of a shape, found again by key or drawn in feedback mode."""
 
 
 @dataclass(slots=True)
@@ -246,7 +239,7 @@ class _Walk:
             elif isinstance(item, Change):
                 self._change(item)
             elif isinstance(item, Shape):
-                batch = self._shapes(item.key, item.draw)
+                batch = self._shapes(item)
                 if batch is not None:
                     self._take(batch)
         self._emit()

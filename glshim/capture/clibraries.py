@@ -7,8 +7,9 @@ from collections.abc import Callable, Hashable
 from types import ModuleType
 from typing import Any, Protocol
 
+from ..notices import say_fault
 from ..spec.driver import gl
-from ..spec.shapes import ROWS, ShapeRole, shape_role
+from ..spec.shapes import LENGTHS, ROWS, Shape, ShapeRole, shape_role
 from .imports import after_import
 from .raw import hook_function, original_call
 from .recorder import RECORDER
@@ -29,13 +30,8 @@ class ShapeWatcher(Protocol):
     def before_shape(self, name: str) -> None:
         """Before the library draws."""
 
-    def after_shape(
-        self, name: str, key: Hashable | None, draw: Callable[[], Any] | None, camera_bound: bool
-    ) -> None:
-        """After it drew; ``draw`` draws the same polygons again (None: it drew none).
-
-        ``key`` tells equal shapes; ``camera_bound`` when tessellation follows the view.
-        """
+    def after_shape(self, shape: Shape | None) -> None:
+        """After it drew a shape, or (None) no polygons."""
 
 
 class CLibraries:
@@ -90,31 +86,40 @@ class CLibraries:
             RECORDER.spill()
             watcher.before_shape(name)
             result = call(*args)
-            key, draw, bound = self._describe(name, role, call, args)
-            watcher.after_shape(name, key, draw, bound)
+            try:
+                shape = self._describe(name, role, call, args)
+            except Exception as error:
+                say_fault(f"{name} stays unlined", error)
+                shape = None
+            watcher.after_shape(shape)
             return result
 
         return hook
 
     def _describe(
         self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
-    ) -> tuple[Hashable | None, Callable[[], Any] | None, bool]:
+    ) -> Shape | None:
         if role is ShapeRole.DRAWING:
-            return None, None, False
+            return None
         if role is ShapeRole.NURBS_CLOSE:
             parts = [*self._surface, (call, args)]
             self._surface = []
-            return _content(name, [a for _, each in parts for a in each]), _nurbs(parts), True
+            key = _content(name, [a for _, each in parts for a in each])
+            return Shape(key, _nurbs(parts), camera_bound=True)
         if role is ShapeRole.QUADRIC:
             settings = self._settings.get(_address(args[0]), {})
             if settings.get("gluQuadricDrawStyle") in _LINE_STYLES:
-                return None, None, False
+                return None
             turn = settings.get("gluQuadricOrientation", _OUTSIDE)
-            scalars = _scalars(args[1:])
-            return (name, turn, scalars), lambda: _quadric(name, turn, scalars), False
+            unit, scale = _unit(name, args[1:])
+            return Shape((name, turn, unit), lambda: _quadric(name, turn, unit), scale)
         if role is ShapeRole.EXTRUSION:
-            return _content(name, args), lambda: call(*args), False
-        return (name, _scalars(args)), lambda: call(*args), False
+            return Shape(_content(name, args), lambda: call(*args))
+        unit, scale = _unit(name, args)
+        if scale == 1.0:
+            return Shape((name, unit), lambda: call(*args))
+        count = len(LENGTHS[name])
+        return Shape((name, unit), lambda: call(*unit[:count], *args[count:]), scale)
 
     def _set_quadric(self, name: str, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
         result = call(*args)
@@ -147,8 +152,15 @@ def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
     library.gluDeleteQuadric(quadric)
 
 
-def _scalars(args: tuple[Any, ...]) -> tuple[float, ...]:
-    return tuple(float(getattr(a, "value", a)) for a in args)
+def _unit(name: str, args: tuple[Any, ...]) -> tuple[tuple[float, ...], float]:
+    """The arguments of the same shape with a greatest length of 1, and how much larger it is:
+    a sphere that pulses is one shape."""
+    scalars = tuple(float(getattr(a, "value", a)) for a in args)
+    lengths = LENGTHS.get(name, ())
+    scale = max((abs(scalars[i]) for i in lengths), default=1.0)
+    if not 0.0 < scale < float("inf"):
+        return scalars, 1.0
+    return tuple(v / scale if i in lengths else v for i, v in enumerate(scalars)), scale
 
 
 def _content(name: str, args: Any) -> Hashable | None:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
 from ..assembly.evaluators import evaluator_key
 from ..assembly.fetch import Unfetchable
 from ..assembly.immediate import POLYGON_MODES, QUADS
-from ..assembly.lists import Bare, Call, Change, Closing, Opening, Primitive, Shape
+from ..assembly.lists import Bare, Call, Change, Closing, Opening, Primitive
 from ..assembly.rectangles import rectangle
 from ..capture import forward
 from ..capture.raw import RAW
@@ -18,6 +19,7 @@ from ..capture.state import DrawState
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
+from ..spec.shapes import Shape
 from .scene import Scene, Scenes
 
 _COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
@@ -98,7 +100,7 @@ class Follower:
         again = self._rerun(mode, stream) if self._reruns else None
         scene.compile(Shape(None, again) if again else Primitive(mode, stream))
         if state is not None and again:
-            scene.add_shape(state, None, again)
+            scene.add_shape(state, Shape(None, again))
         elif state is not None:
             scene.layer.add_primitive(state, mode, stream)
 
@@ -277,7 +279,7 @@ class Follower:
             # Its map may be set by the list itself: asked when the list is called.
             scene.compile(Shape(None, draw))
         elif state is not None:
-            scene.add_shape(state, evaluator_key(name, args), draw)
+            scene.add_shape(state, Shape(evaluator_key(name, args), draw))
 
     # -- shapes drawn in C -----------------------------------------------------------------------
 
@@ -287,21 +289,20 @@ class Follower:
         self._open(True, self._scenes.current())
 
     @contained
-    def after_shape(
-        self, name: str, key: Hashable | None, draw: Callable[[], Any] | None, camera_bound: bool
-    ) -> None:
-        """It has drawn."""
+    def after_shape(self, shape: Shape | None) -> None:
+        """It has drawn a shape, or (None) no polygons."""
         state = self._close()
         scene = self._scenes.current()
-        if scene is None or scene.refused or draw is None:
+        if scene is None or scene.refused or shape is None:
             return
         if scene.lists.open is not None:
-            scene.compile(Shape(key, draw))
+            scene.compile(shape)
         elif state is not None:
-            if camera_bound and key is not None:
+            if shape.camera_bound and shape.key is not None:
                 c = state.camera
-                key = (key, c.modelview.tobytes(), c.projection.tobytes(), c.viewport)
-            scene.add_shape(state, key, draw)
+                view = (c.modelview.tobytes(), c.projection.tobytes(), c.viewport)
+                shape = replace(shape, key=(shape.key, view))
+            scene.add_shape(state, shape)
 
     # -- layers ----------------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from typing import Any
 from ..assembly import feedback
 from ..assembly.batch import PolygonBatch
 from ..assembly.fetch import VertexFetch
+from ..assembly.immediate import scaled
 from ..assembly.layers import LayerCollector
 from ..assembly.lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
 from ..caches import AgingCache
@@ -18,6 +19,7 @@ from ..capture.state import DrawState, StateReader, unsupported
 from ..notices import say_once
 from ..spec.attributes import BY_NAME
 from ..spec.driver import current_context, gl
+from ..spec.shapes import Shape
 
 COMPILE = 0x1300
 _MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
@@ -111,15 +113,24 @@ class Scene:
         row = BY_NAME["glVertex3f"]
         return row.pack.pack(*self.fetch.element(index), row.tag)
 
-    def polygons(self, key: Hashable | None, draw: Callable[[], Any]) -> PolygonBatch | None:
+    def polygons(self, shape: Shape) -> PolygonBatch | None:
         """Polygons of a shape that C code draws, from feedback mode the first time."""
-        found = None if key is None else self._shapes.get(key)
-        if found is None and not feedback.possible():
-            return None
-        if key is None:
-            return feedback.polygons(draw)
+        if shape.key is None:
+            return feedback.polygons(shape.draw) if feedback.possible() else None
+        unit = self._kept(("shape", shape.key), lambda key: feedback.polygons(shape.draw, key))
+        if unit is None or shape.scale == 1.0:
+            return unit
+        key = ("shape", shape.key, shape.scale)
+        return self._kept(key, lambda key: scaled(unit, shape.scale, key))
+
+    def _kept(
+        self, key: Hashable, make: Callable[[Hashable], PolygonBatch | None]
+    ) -> PolygonBatch | None:
+        found = self._shapes.get(key)
         if found is None:
-            batch = feedback.polygons(draw, ("shape", key))
+            if not feedback.possible():
+                return None
+            batch = make(key)
             size = batch.positions.nbytes if batch is not None else 1
             found = self._shapes.put(key, (batch,), size)
         return found[0]
@@ -129,9 +140,9 @@ class Scene:
         self._shapes.tick()
         self.fetch.tick()
 
-    def add_shape(self, state: DrawState, key: Hashable | None, draw: Callable[[], Any]) -> None:
+    def add_shape(self, state: DrawState, shape: Shape) -> None:
         """C code drew a shape in this state."""
-        batch = self.polygons(key, draw)
+        batch = self.polygons(shape)
         if batch is not None:
             self.layer.add_batch(state, batch)
 

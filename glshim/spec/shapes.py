@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass
 from enum import Enum
+from typing import Any
 
 
 class ShapeRole(Enum):
@@ -32,6 +35,30 @@ ROWS: tuple[tuple[str, ShapeRole, str], ...] = (
      r"gle(Extrusion|Helicoid|Lathe|PolyCone|PolyCylinder|Screw|Spiral|SuperExtrusion|Toroid"
      r"|TwistExtrusion)"),
 )  # fmt: skip
+
+
+LENGTHS: dict[str, tuple[int, ...]] = {
+    "gluSphere": (0,), "gluCylinder": (0, 1, 2), "gluDisk": (0, 1), "gluPartialDisk": (0, 1),
+    "glutSolidSphere": (0,), "glutSolidCube": (0,), "glutSolidCone": (0, 1),
+    "glutSolidTorus": (0, 1), "glutSolidTeapot": (0,), "glutSolidTeacup": (0,),
+    "glutSolidTeaspoon": (0,), "glutSolidCylinder": (0, 1),
+}  # fmt: skip
+"""Which arguments (after a quadric) are lengths: a shape with all of them doubled is twice as
+large and else the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """Something that C code drew."""
+
+    key: Hashable | None
+    """Equal keys, equal polygons; None when that cannot be told."""
+    draw: Callable[[], Any]
+    """Draws it again, ``1 / scale`` times as large."""
+    scale: float = 1.0
+    """How many times larger than the keyed shape this one is."""
+    camera_bound: bool = False
+    """Tessellated for the camera: another view, other polygons."""
 
 
 def shape_role(module: str, name: str) -> ShapeRole | None:
