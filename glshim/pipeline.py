@@ -65,6 +65,10 @@ class Pipeline:
         if self._surface.changes:
             self._surface.uncover()
 
+    def context_renewed(self) -> None:
+        """A context that is gone left its address to a new one."""
+        self._surface.forget()
+
     def layer_ends(self, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the backend adds it."""
         items = scene.layer.take()

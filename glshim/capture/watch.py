@@ -181,6 +181,8 @@ class Watch:
                     return real(*args)
                 closed = not RECORDER.list_open and not RECORDER.inside()
                 RECORDER.spill()
+                if closed and watcher is not None:
+                    watcher.before(role, name, args)
                 try:
                     return real(*args)
                 finally:

@@ -36,6 +36,9 @@ class Studio(Protocol):
     def layer_ends(self, scene: Scene) -> None:
         """The depth of the scene's layer is final."""
 
+    def context_renewed(self) -> None:
+        """The current context has the address of one that is gone, and none of its objects."""
+
     def cover(self) -> None:
         """Polygons that carry lines are about to be drawn by the app."""
 
@@ -181,6 +184,8 @@ class Follower:
     @contained
     def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
         """Before a call by role."""
+        if role in _RENEWALS and self._scenes.renewed():
+            self.studio.context_renewed()
         scene = self._scenes.current()
         if scene is None:
             return
@@ -363,5 +368,7 @@ def _number(args: tuple[Any, ...], position: int) -> int:
         return 0
 
 
+_RENEWALS = frozenset((Role.CLEAR, Role.TARGET, Role.LIST_OPEN))
+"""When a new context at an old one's address is looked out for: a program that draws comes by."""
 _DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.LIST_CALL))
 """Roles that draw polygons we can know."""

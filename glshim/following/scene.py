@@ -22,6 +22,7 @@ from ..spec.driver import current_context, gl
 from ..spec.shapes import Shape
 
 COMPILE = 0x1300
+_MARKER = 997
 _MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
 
 
@@ -37,8 +38,14 @@ class Scene:
         self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
+        self._marker = 0 if self.refused else _mark()
         self._list_base = 0
         self._partial_lists = False
+
+    @property
+    def stale(self) -> bool:
+        """Whether the current context is another one, at the address of the one that was."""
+        return bool(self._marker) and not gl.glIsVertexArray(self._marker)
 
     # -- display lists ---------------------------------------------------------------------------
 
@@ -165,6 +172,15 @@ class Scenes:
                 say_unstyled(scene.refused)
         return scene
 
+    def renewed(self) -> bool:
+        """Look whether the current context is new, at an old one's address; it gets a new scene
+        then. Ask now and then, outside primitives: at a clear, before a list."""
+        scene = self._by_context.get(current_context())
+        if scene is None or not scene.stale:
+            return False
+        del self._by_context[current_context()]
+        return True
+
     def close_list(self, scene: Scene) -> None:
         """glEndList. Other contexts may share the list that changed."""
         name = scene.lists.end()
@@ -172,6 +188,16 @@ class Scenes:
             for other in self._by_context.values():
                 if other is not scene:
                     other.lists.redefined_elsewhere(name)
+
+
+def _mark() -> int:
+    """A vertex array object, which contexts do not share, under a name that no app comes to."""
+    names, bound = (ctypes.c_uint * _MARKER)(), integer(0x85B5)
+    gl.glGenVertexArrays(_MARKER, names)
+    gl.glDeleteVertexArrays(_MARKER - 1, names)
+    gl.glBindVertexArray(names[_MARKER - 1])
+    gl.glBindVertexArray(bound)
+    return int(names[_MARKER - 1])
 
 
 def say_unstyled(why: str) -> None:

@@ -62,6 +62,10 @@ class Surface:
         if self._alpha:
             gl.glEnable(_ALPHA_TEST)
 
+    def forget(self) -> None:
+        """What was made in the current context is gone."""
+        self._programs.pop(current_context(), None)
+
     def _program(self) -> tuple[int, int]:
         context = current_context()
         if context not in self._programs:

@@ -38,6 +38,7 @@ SIGNATURES: dict[str, str] = {
     "glClientActiveTexture": "u", "glDrawArrays": "uii", "glDrawElements": "uiup",
     "glEnableVertexAttribArray": "u", "glDisableVertexAttribArray": "u",
     "glBindBuffer": "uu", "glGenVertexArrays": "ip", "glBindVertexArray": "u",
+    "glDeleteVertexArrays": "ip",
     # state
     "glEnable": "u", "glDisable": "u", "glUseProgram": "u", "glColorMask": "bbbb",
     "glPushAttrib": "u", "glPopAttrib": "", "glPushClientAttrib": "u", "glPopClientAttrib": "",
