@@ -62,10 +62,8 @@ def choose(edges: Edges, camera: Camera, choice: Choice) -> NDArray[np.float32]:
     if choice.silhouettes:
         one, other = first[~across], second[~across]
         behind = ~front[one], ~front[other]
-        hollow = edges.fold(one, other) > np.pi
-        for kind, which in ((RING, ~hollow), (FIN, hollow)):
-            found.append((kind, one[(behind[0] | ~behind[1]) & which]))
-            found.append((kind, other[behind[1] & which]))
+        found.append((RING, one[behind[0] | ~behind[1]]))
+        found.append((RING, other[behind[1]]))
     if choice.ridge_angle is not None and ridges:
         fold = _seen_folds(edges, camera, across, ccw_side)
         sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + _ANGLE_GRAIN]

@@ -32,7 +32,7 @@ from glshim.geometry.lines import FIN, LONE_RIDGE, RIDGE, RING
 Doubles = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-INSET = 1.0 / 32.0
+INSET = 1.0 / 128.0
 """Pixels by which a ring reaches under its object, so that no crack shows."""
 SNAP = 1.0 / 256.0
 """Pixels added to the width against what rasterisation rounds away."""
@@ -42,6 +42,12 @@ FIN_TILT = 0.17
 """Cosine between a fin and the line of sight."""
 LONGEST_TIP = 3.0
 """Widths to which the tip of a corner may reach before rounding."""
+STEEP = 0.2
+"""Cosine to the line of sight of the flattest plane that a ring follows towards the viewer."""
+LIFT = 0.5
+"""Pixels' worth of depth by which a line wins over what lies in its own plane."""
+LEAN = 1.0
+"""Pixels by which a line whose spine is seen comes nearer in each pixel."""
 
 
 def strips(
@@ -52,13 +58,15 @@ def strips(
     ridge_width: float,
     ridge_angle: float,
     hair: float,
+    spines: bool = True,
 ) -> tuple[Doubles, Flags]:
     """Clip-space vertices (L, 6, 4) of the strips of line records, and which are drawn (L,).
 
     records: (L, 15) as `glshim.geometry.lines.choose` gives them. Widths in pixels (that of a
     ridge is one quad's, half of the visible line), ridge_angle in radians, hair in normalised
-    device depth, positive away from the viewer. The six vertices: a out, a, b out, b, tip of the
-    corner, next side's b out. A strip that is not drawn has undefined vertices.
+    device depth, positive away from the viewer. spines: whether fragments of rings and fins look
+    up at their spine, beside the side, whether they are seen. The six vertices: a out, a, b out,
+    b, tip of the corner, next side's b out. A strip that is not drawn has undefined vertices.
     """
     rows = records.astype(np.float64)
     kind, winding = rows[:, 13].astype(int), rows[:, 14:15]
@@ -118,9 +126,13 @@ def strips(
         (clip[1], outer, slope_1), (clip[1], -inset, slope_1),
         (clip[1], turns * tip, mean), (clip[1], turns * out_2, slope_2),
     )):  # fmt: skip
-        deeper = _biased(kind, _dot(slope, offset), hair)
+        deeper = _biased(
+            kind, _dot(slope, offset), _dot(offset, out_1) * (corner < 4), slope_1, turned[0], hair,
+            spines,
+        )
         vertices[:, corner, :2] = base[:, :2] + offset / half * base[:, 3:]
-        vertices[:, corner, 2] = np.minimum(base[:, 2] + deeper * base[:, 3], base[:, 3])
+        w = base[:, 3]
+        vertices[:, corner, 2] = np.clip(base[:, 2] + deeper * w, -w, w)
         vertices[:, corner, 3] = base[:, 3]
     return vertices, drawn
 
@@ -153,12 +165,34 @@ def depth_slope(normal: Doubles, point: Doubles, camera: Camera, half: Doubles) 
     return np.asarray(-plane[:, :2] / (z * half))
 
 
-def _biased(kind: NDArray[np.int_], depth: Doubles, hair: float) -> Doubles:
-    """Depth against a side's own, with the distance kept from the surfaces at it."""
-    away = 1.0 if hair >= 0.0 else -1.0
-    behind = away * np.maximum(away * depth, 0.0) + 2.0 * hair
-    lone = np.where(kind == LONE_RIDGE, depth + hair, behind)
-    return np.asarray(np.where(kind == RIDGE, depth - hair, lone))
+def _biased(  # noqa: PLR0917
+    kind: NDArray[np.int_],
+    depth: Doubles,
+    outwards: Doubles,
+    slope: Doubles,
+    turned: Doubles,
+    hair: float,
+    spines: bool,
+) -> Doubles:
+    """Depth against a side's own: depth is that of the line's plane, outwards the way in pixels.
+
+    A line whose visibility is known, from its neighbours or from its spine, wins over what lies
+    in its plane (the floor under a box, the line an app draws on the same edge); where depth has
+    to decide, it loses. The distance is a part of a pixel's worth of depth on the line's plane.
+    """
+    away, grain = (1.0 if hair >= 0.0 else -1.0), abs(hair)
+    deeper = away * depth
+    steep = np.sqrt(_dot(slope, slope))
+    lift = LIFT * steep * np.minimum(1.0, np.abs(turned) / STEEP)
+    found = np.maximum(deeper, 0.0) + 2.0 * grain
+    if spines:
+        level = np.maximum(np.sqrt(np.maximum(1.0 - turned**2, 0.0)), 0.05)
+        pixel_deep = steep * np.abs(turned) / level
+        nearer = -LEAN * pixel_deep * np.maximum(outwards, 0.0)
+        follows = (kind == RING) & (np.abs(turned) > STEEP)
+        found = np.where(follows, deeper - lift - grain, nearer + 2.0 * grain)
+    found = np.where(kind == LONE_RIDGE, deeper + grain, found)
+    return away * np.where(kind == RIDGE, np.minimum(deeper, 0.0) - lift - grain, found)
 
 
 def _before_near(clip: Doubles) -> Flags:

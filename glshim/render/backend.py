@@ -20,11 +20,15 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.edges import Edges, edges, join
 from glshim.geometry.gather import moved, placed, together
 from glshim.geometry.lines import RECORD, choose
+from glshim.render.cameras import MOST_CLIP_PLANES, grouped, hair_of, set_up, view_of
+from glshim.render.depth import UNIT, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.guard import Guard, possible
 from glshim.styling.protocol import Draw, Shader, Uniform
 
-_PRELUDE = (files(__package__) / "shaders" / "line.glsl").read_text("utf-8")
+_SHADERS = files(__package__) / "shaders"
+_VERTEX = (_SHADERS / "line.glsl").read_text("utf-8")
+_FRAGMENT = (_SHADERS / "depth.glsl").read_text("utf-8")
 _OFF = (  # what would change or drop the ink: each is enabled by some app
     0x0B44,  # cull face
     0x0B90,  # stencil test
@@ -38,16 +42,13 @@ _OFF = (  # what would change or drop the ink: each is enabled by some app
     0x864F,  # depth clamp
     *range(0x3000, 0x3006),  # clip planes
 )  # fmt: skip
-_DEPTH_TEST, _SCISSOR_TEST, _STENCIL_TEST = 0x0B71, 0x0C11, 0x0B90
+_DEPTH_TEST = 0x0B71
 _DEPTH_FUNC, _DEPTH_BITS = 0x0B74, 0x0D56
 _LEQUAL, _GREATER, _GEQUAL = 0x0203, 0x0204, 0x0206
-_MOST_CLIP_PLANES = 6
 _STRIP = 0x0005
 _INPUTS = ("edge_a", "edge_b", "edge_c", "edge_plane", "edge_kind")
 _LARGE = 4096
 """Corners from which a batch is drawn on its own rather than gathered with others."""
-_HAIR = 4.0
-"""Steps of the depth buffer between a line and the surface that it belongs to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +76,8 @@ class Backend:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
         self._ring_at = 0
+        self._depth = DepthCopy()
+        self._copied: dict[tuple[int, int, int, int], bool] = {}
         array = ctypes.c_uint()
         gl.glGenVertexArrays(1, ctypes.addressof(array))
         self._array = array.value
@@ -120,7 +123,7 @@ class Backend:
         shader does not compile.
         """
         self._cache.tick()
-        groups = _grouped(draws)
+        groups = grouped(draws)
         if not groups or not possible():
             return
         with Guard():
@@ -136,6 +139,7 @@ class Backend:
             gl.glStencilMask(0)
             gl.glColorMask(1, 1, 1, 1)
             gl.glPolygonMode(0x0408, 0x1B02)
+            self._copied.clear()
             for group in groups:
                 self._draw(group, bits, greater)
 
@@ -151,12 +155,12 @@ class Backend:
             camera = replace(small[0].camera, modelview=np.eye(4))
             work.append((self._gathered(small), camera))
         for found, camera in work:
-            view = _view(camera)
+            view = view_of(camera)
             if view is not None:
                 records = choose(found, camera, first.choice)
                 if len(records):
-                    hair = _hair(camera, bits, greater)
-                    self._draw_records(replace(first, camera=camera), records, view, hair)
+                    hair = hair_of(camera, bits, greater)
+                    self._draw_records(replace(first, camera=camera), records, view, hair, bits)
 
     def _draw_records(
         self,
@@ -164,10 +168,16 @@ class Backend:
         records: NDArray[np.float32],
         view: dict[str, NDArray[np.float64]],
         hair: float,
+        bits: int,
     ) -> None:
         offset = self._stream(records)
-        program = self._ready(draw.shader, draw.camera, view, draw.uniforms, hair)
-        _set_up(draw.camera)
+        viewport = draw.camera.viewport
+        if viewport not in self._copied:
+            self._copied.clear()
+            self._copied[viewport] = self._depth.take(viewport, bits)
+        spines = self._copied[viewport]
+        program = self._ready(draw.shader, draw.camera, view, draw.uniforms, hair, spines=spines)
+        set_up(draw.camera)
         gl.glUseProgram(program.program.glo)
         self._point_at(offset)
         gl.glDrawArraysInstanced(_STRIP, 0, draw.shader.vertices, len(records))
@@ -179,14 +189,18 @@ class Backend:
         shader: Shader,
         uniforms: Mapping[str, Uniform],
         hair: float,
+        *,
+        spines: bool = True,
     ) -> NDArray[np.float32]:
         """(L, shader.vertices, 4) clip-space vertices that the GPU makes of line records, by
-        transform feedback: what tests hold to the numpy reference. hair: see `line.glsl`."""
-        view = _view(camera)
+        transform feedback: what tests hold to the numpy reference. hair, spines: `line.glsl`."""
+        view = view_of(camera)
         if view is None:
             raise RenderError("this camera sees nothing")
         with Guard():
-            program = self._ready(shader, camera, view, uniforms, hair, varyings=("gl_Position",))
+            program = self._ready(
+                shader, camera, view, uniforms, hair, spines=spines, varyings=("gl_Position",)
+            )
             source = self._context.buffer(records)
             target = self._context.buffer(reserve=len(records) * shader.vertices * 16)
             layout = "3f 3f 3f 4f 2f /i"
@@ -205,15 +219,21 @@ class Backend:
         uniforms: Mapping[str, Uniform],
         hair: float,
         *,
+        spines: bool,
         varyings: tuple[str, ...] = (),
     ) -> _Program:
         """The program of a shader with its uniforms set."""
-        planes = min(len(camera.clip_planes), _MOST_CLIP_PLANES)
+        planes = min(len(camera.clip_planes), MOST_CLIP_PLANES)
         program = self._program(shader, planes, varyings)
+        range_ = camera.depth_range
         for name, matrix in view.items():
             program.write(name, matrix)
         program.set("half_viewport", (camera.viewport[2] / 2.0, camera.viewport[3] / 2.0))
         program.set("hair", hair)
+        program.set("away", 1.0 if (hair > 0.0) == (range_[1] >= range_[0]) else -1.0)
+        program.set("range", range_)
+        program.set("spines", spines)
+        program.set("finished_depth", UNIT)
         for key, value in uniforms.items():
             program.set(key, value)
         return program
@@ -279,8 +299,10 @@ class Backend:
             head = f"#version 330\n#define CLIP_PLANES {planes}\n"
             try:
                 program = self._context.program(
-                    vertex_shader=f"{head}{_PRELUDE}\n#line 1\n{shader.vertex}",
-                    fragment_shader=None if varyings else f"{head}#line 1\n{shader.fragment}",
+                    vertex_shader=f"{head}{_VERTEX}\n#line 1\n{shader.vertex}",
+                    fragment_shader=None
+                    if varyings
+                    else f"{head}{_FRAGMENT}\n#line 1\n{shader.fragment}",
                     varyings=varyings,
                 )
             except moderngl.Error as error:
@@ -295,80 +317,3 @@ def _integer(name: int) -> int:
     value = ctypes.c_int()
     gl.glGetIntegerv(name, ctypes.addressof(value))
     return value.value
-
-
-def _grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
-    """Draws that one GL draw can serve: alike in all but batch and modelview."""
-    groups: dict[Hashable, list[Draw]] = {}
-    seen: dict[int, tuple[Camera, Hashable]] = {}
-    for draw in draws:
-        if draw.batch.polygon_count == 0:
-            continue
-        known = seen.get(id(draw.camera))
-        if known is None:
-            camera = draw.camera.affine()
-            if not np.isfinite(camera.modelview).all():
-                continue
-            known = seen[id(draw.camera)] = (camera, _lens(camera))
-        camera, lens = known
-        same = (lens, draw.choice, draw.shader, tuple(draw.uniforms.items()))
-        groups.setdefault(same, []).append(replace(draw, camera=camera))
-    return list(groups.values())
-
-
-def _lens(camera: Camera) -> Hashable:
-    """All of a camera but its modelview."""
-    return (
-        camera.projection.tobytes(),
-        camera.viewport,
-        camera.depth_range,
-        camera.front_ccw,
-        camera.scissor,
-        camera.clip_planes,
-        camera.stencil,
-    )
-
-
-def _hair(camera: Camera, bits: int, greater: bool) -> float:
-    """A few steps of the depth buffer in normalised device depth, positive away from the viewer."""
-    near, far = camera.depth_range
-    away = -1.0 if greater != (near > far) else 1.0
-    return away * 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
-
-
-def _view(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
-    """The camera's matrices as uniforms (columns first); None when nothing can be seen by it."""
-    if min(camera.viewport[2:]) <= 0:
-        return None
-    if not np.isfinite(camera.projection).all():
-        return None
-    try:
-        unprojection = np.linalg.inv(camera.projection)
-    except np.linalg.LinAlgError:
-        return None
-    return {
-        "modelview": camera.modelview.T,
-        "projection": camera.projection.T,
-        "unprojection": unprojection.T,
-        "normal_matrix": camera.normal_matrix.T,
-        "viewpoint": camera.viewpoint,
-    } | ({"clip_planes": np.array(camera.clip_planes[:6])} if camera.clip_planes else {})
-
-
-def _set_up(camera: Camera) -> None:
-    """The fixed state that belongs to a camera."""
-    gl.glViewport(*camera.viewport)
-    gl.glDepthRange(*camera.depth_range)
-    if camera.scissor is None:
-        gl.glDisable(_SCISSOR_TEST)
-    else:
-        gl.glEnable(_SCISSOR_TEST)
-        gl.glScissor(*camera.scissor)
-    if camera.stencil is None:
-        gl.glDisable(_STENCIL_TEST)
-    else:
-        gl.glEnable(_STENCIL_TEST)
-        gl.glStencilFunc(*camera.stencil)
-    for plane in range(_MOST_CLIP_PLANES):
-        switch = gl.glEnable if plane < len(camera.clip_planes) else gl.glDisable
-        switch(0x3000 + plane)

@@ -9,11 +9,17 @@ __all__ = ["current_context", "gl"]
 SIGNATURES.update(
     {
         "glBindRenderbuffer": "uu",
+        "glBlitFramebuffer": "iiiiiiiiuu",
         "glColorMaski": "ubbbb",
+        "glCopyTexSubImage2D": "uiiiiiii",
         "glDepthFunc": "u",
         "glDrawArraysInstanced": "uiii",
+        "glDrawBuffer": "u",
         "glEnableVertexAttribArray": "u",
+        "glFramebufferTexture2D": "uuuui",
+        "glGenFramebuffers": "ip",
         "glLineWidth": "f",
+        "glPixelTransferf": "uf",
         "glScissor": "iiii",
         "glStencilFunc": "uiu",
         "glStencilMask": "u",

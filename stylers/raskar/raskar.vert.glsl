@@ -10,13 +10,32 @@ uniform float silhouette_width; // outside the polygon
 uniform float ridge_width;      // of one quad, half of the visible line
 uniform vec2 ridge_turn;        // cosine and sine of the threshold angle
 
+noperspective out vec3 spine;   // where the line's visibility is decided: pixels, window depth
+flat out vec3 spine_again;      // way to a second place that may be seen instead
+flat out float spine_asked;     // 0 where depth alone decides
+flat out float spine_slack;     // window depth by which the spine may lie behind what is drawn
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
-const float INSET = 1.0 / 32.0; // pixels by which a ring reaches under its object, for no cracks
+const float INSET = 1.0 / 128.0;// pixels by which a ring reaches under its object, for no cracks
 const float SNAP = 1.0 / 256.0;  // pixels, against what rasterisation rounds away
 const float EDGE_ON = 0.02;     // ridge quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;    // cosine between a fin and the line of sight
 const float LONGEST_TIP = 3.0;  // widths
+const float STEEP = 0.2;       // cosine to the line of sight of the flattest plane a ring follows
+const float LIFT = 0.5;         // pixels' worth of depth by which a line wins over its plane
+const float LEAN = 1.0;         // pixels by which a line that is seen comes nearer in each pixel
+const float SPINE = 0.75;       // pixels outside the side
+
+// Depth (ndc, + is away) against a side's own at a place whose depth on the line's plane is deeper
+// and on the plane that leans towards the viewer nearer; lift: LIFT pixels' worth of depth.
+float biased(int kind, float deeper, float nearer, float lift, bool follows) {
+    float grain = abs(hair);
+    if (kind == RIDGE) return min(deeper, 0.0) - lift - grain;
+    if (kind == LONE_RIDGE) return deeper + grain;
+    if (follows) return deeper - lift - grain;
+    if (spines) return nearer + 2.0 * grain;
+    return max(deeper, 0.0) + 2.0 * grain;
+}
 
 // Normal of the plane that the line beside a side lies in. Eye space, all unit; sight is the
 // direction from the side to the viewer.
@@ -37,6 +56,9 @@ vec3 line_plane(int kind, vec3 along, vec3 normal, vec3 sight) {
 void main() {
     gl_Position = NOWHERE;
     reach = vec2(0.0);
+    spine = vec3(0.0);
+    spine_again = vec3(0.0);
+    spine_slack = spine_asked = 0.0;
     int kind = int(edge_kind.x);
     bool ridge = kind == RIDGE || kind == LONE_RIDGE;
     float width = ridge ? ridge_width : silhouette_width;
@@ -48,7 +70,7 @@ void main() {
     vec4 clip_a = mix(far_a, far_b, cut_a), clip_b = mix(far_b, far_a, cut_b);
     if (far_a.z < -far_a.w && far_b.z < -far_b.w) return;
     if (min(clip_a.w, clip_b.w) <= 0.0) return;
-    vec2 pixel_b = pixels(clip_b), along = pixel_b - pixels(clip_a);
+    vec2 pixel_a = pixels(clip_a), pixel_b = pixels(clip_b), along = pixel_b - pixel_a;
     if (dot(along, along) < 1e-6) return;
     along = normalize(along);
 
@@ -62,7 +84,7 @@ void main() {
         side *= sign(turned);
     }
     vec2 out_1 = side * vec2(along.y, -along.x), offset;
-    vec2 slope = depth_slope(plane, eye_a.xyz), slope_2 = slope;
+    vec2 slope = depth_slope(plane, eye_a.xyz), slope_1 = slope, slope_2 = slope;
     float reached = width + SNAP;
 
     int corner = gl_VertexID;
@@ -97,11 +119,29 @@ void main() {
         slope = corner == 5 ? slope_2 : 0.5 * (slope + slope_2);
     }
     vec4 clip = corner < 2 ? clip_a : clip_b;
-    float depth = dot(slope, offset), away = sign(hair);
-    if (kind == RIDGE) depth -= hair;
-    else if (kind == LONE_RIDGE) depth += hair;
-    else depth = away * max(away * depth, 0.0) + 2.0 * hair;
+    float away = sign(hair), steep = length(slope_1), flatness = min(1.0, abs(turned) / STEEP);
+    float lift = LIFT * steep * flatness;
+    float pixel_deep = steep * abs(turned) / max(sqrt(max(1.0 - turned * turned, 0.0)), 0.05);
+    bool follows = kind == RING && spines && abs(turned) > STEEP;
+    float nearer = corner < 4 ? -LEAN * pixel_deep * max(dot(offset, out_1), 0.0) : 0.0;
+    float depth = away * biased(kind, away * dot(slope, offset), nearer, lift, follows);
     clip_as_the_app(corner < 2 ? mix(eye_a, eye_b, cut_a) : mix(eye_b, eye_a, cut_b));
     vec2 place = clip.xy + offset / half_viewport * clip.w;
-    gl_Position = vec4(place, min(clip.z + depth * clip.w, clip.w), clip.w);
+    gl_Position = vec4(place, clamp(clip.z + depth * clip.w, -clip.w, clip.w), clip.w);
+
+    if (spines && kind != LONE_RIDGE && !(kind == RIDGE && ridge_turn.y < 0.0)) {
+        vec2 rise = slope_1, beside = kind == RIDGE ? vec2(0.0) : (follows ? 0.5 : SPINE) * out_1;
+        if (kind == RING && !follows) {
+            float length_ab = max(length(pixel_b - pixel_a), 1e-3);
+            rise = (clip_b.z / clip_b.w - clip_a.z / clip_a.w) / length_ab * along;
+        }
+        float window = 0.5 * (range.y - range.x);
+        spine = vec3(pixels(clip) + beside, clip.z / clip.w + dot(rise, beside));
+        spine = vec3(spine.xy + half_viewport, spine.z * window + 0.5 * (range.x + range.y));
+        bool again = kind == FIN || (kind == RING && !follows);
+        spine_again = again ? vec3(out_1, dot(rise, out_1) * window) : vec3(0.0);
+        spine_asked = 1.0;
+        spine_slack = kind == RIDGE ? pixel_deep : 0.25 * lift;
+        spine_slack = abs(window) * (kind == FIN ? -0.5 * pixel_deep : spine_slack + abs(hair));
+    }
 }

@@ -92,7 +92,8 @@ def _near_a_decision(records, camera, angle):
 @pytest.mark.parametrize("camera", list(cameras().values())[:3], ids=list(cameras())[:3])
 def test_offsets_are_the_asked_pixels_and_lie_in_the_papers_planes(camera):
     """Section 2.1 and 2.2: offset vertices lie on the line w px beside the side, and in the plane
-    of the polygon (ring) or of the quad at the threshold angle (ridge)."""
+    of the polygon (ring) or of the quad at the threshold angle (ridge), lifted by at most a
+    pixel's worth of depth; a ridge never lies behind its side."""
     angle = np.radians(120.0)
     records = choose(edges(look.cube()), camera, Choice(True, angle))
     vertices, drawn = raskar.strips(
@@ -102,34 +103,35 @@ def test_offsets_are_the_asked_pixels_and_lie_in_the_papers_planes(camera):
     checked = set()
     for record, strip in zip(records[drawn], vertices[drawn], strict=True):
         kind = int(record[13])
-        pixel = strip[:, :2] / strip[:, 3:] * half
-        eye = np.c_[strip @ np.linalg.inv(camera.projection).T]
-        eye = eye[:, :3] / eye[:, 3:]
         a, b = (record[i : i + 3] @ camera.modelview[:3, :3].T + camera.modelview[:3, 3]
                 for i in (0, 3))  # fmt: skip
-        projected = [np.r_[p, 1] @ camera.projection.T for p in (a, b)]
-        start, end = (p[:2] / p[3] * half for p in projected)
+        ends = np.array([np.r_[p, 1] @ camera.projection.T for p in (a, b)])
+        ends = ends[:, :3] / ends[:, 3:]
+        start, end = ends[:, :2] * half
         along = (end - start) / np.linalg.norm(end - start)
         width = 4.0 if kind == RIDGE else 7.0
-        for corner in (0, 2):
-            u, v = pixel[corner] - start
-            across = along[0] * v - along[1] * u
-            assert abs(abs(across) - width - raskar.SNAP) < 1e-6
+        pixel = strip[:, :2] / strip[:, 3:] * half
         normal = record[9:12] @ camera.normal_matrix.T
         normal /= np.linalg.norm(normal)
+        sight = camera.viewpoint[:3] - camera.viewpoint[3] * a
         edge = (b - a) / np.linalg.norm(b - a)
         if kind == RIDGE:
-            seen = (
-                normal if normal @ (camera.viewpoint[:3] - camera.viewpoint[3] * a) > 0 else -normal
-            )
-            outward = np.cross(edge, normal)
-            quad = -seen * np.cos(angle) + outward * np.sin(angle)
-            assert np.abs((eye[[0, 2]] - a) @ quad).max() < 1e-6
-            checked.add(RIDGE)
-        elif (
-            kind == RING
-            and (strip[0, 2] / strip[0, 3]) > (projected[0][2] / projected[0][3]) + 1e-9
-        ):
-            assert np.abs((eye[[0, 2]] - a) @ normal).max() < 1e-6
-            checked.add(RING)
-    assert RIDGE in checked
+            seen = normal if normal @ sight > 0 else -normal
+            normal = np.sin(angle) * np.cross(edge, normal) - np.cos(angle) * seen
+        turned = abs(normal @ sight) / np.linalg.norm(sight)
+        slope = raskar.depth_slope(normal[None], a[None], camera, half)[0]
+        for corner, at in ((0, 0), (2, 1)):
+            offset = pixel[corner] - (start, end)[at]
+            across = along[0] * offset[1] - along[1] * offset[0]
+            assert abs(abs(across) - width - raskar.SNAP) < 1e-6
+            deeper = slope @ offset
+            place = np.r_[pixel[corner] / half, ends[at, 2] + deeper, 1]
+            eye = np.linalg.inv(camera.projection) @ place
+            assert abs((eye[:3] / eye[3] - a) @ normal) < 1e-6
+            if kind == RING and turned < raskar.STEEP:
+                continue
+            wanted = min(deeper, 0.0) if kind == RIDGE else deeper
+            lift = wanted - (strip[corner, 2] / strip[corner, 3] - ends[at, 2])
+            assert 0.0 < lift < np.hypot(*slope)
+            checked.add(kind)
+    assert RIDGE in checked and RING in checked

@@ -13,6 +13,8 @@ uniform mat4 unprojection;      // clip to eye
 uniform mat3 normal_matrix;     // cofactors of modelview
 uniform vec4 viewpoint;         // the viewer in eye space: a point, or (w = 0) a direction to it
 uniform vec2 half_viewport;     // pixels
+uniform vec2 range;             // window depth of the near and the far plane
+uniform bool spines;            // whether fragments can look up the layer's finished depth
 uniform float hair;             // a few steps of the depth buffer, in ndc, signed: + is away
 
 #if CLIP_PLANES > 0
