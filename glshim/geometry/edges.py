@@ -26,6 +26,10 @@ _CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23))
 the cells, for each round of looking."""
 
 
+_SPREAD = np.int64(-0x61C8864680B583EB)
+"""An odd number that spreads keys over 64 bits."""
+
+
 @dataclass(frozen=True, eq=False)
 class Edges:
     """The true sides of the sound polygons of a batch. Object space.
@@ -82,15 +86,16 @@ class Edges:
         """(N,) `dihedral` angle of each pair, seen from the winding side of its first."""
         return self.fold(*self.pairs)
 
-    def fold(self, first: Indices, second: Indices, modelview: Doubles | None = None) -> Doubles:
+    def fold(self, first: Indices, second: Indices, linear: Doubles | None = None) -> Doubles:
         """(N,) `dihedral` angles of pairs of sides, seen from the winding side of first, in
-        object space or in the space that a (4, 4) modelview leads to."""
+        object space or in the space that a linear part, (3, 3) or (N, 3, 3), leads to."""
         one, other = (self.planes[self.polygon[side], :3] for side in (first, second))
         other = np.where((self.forward[first] != self.forward[second])[:, None], other, -other)
         along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
-        if modelview is not None:
-            turn = cofactors(modelview).T
-            one, other, along = _unit(one @ turn), _unit(other @ turn), along @ modelview[:3, :3].T
+        if linear is not None:
+            turn = cofactors(linear)
+            one, other = (_unit((turn @ normal[:, :, None])[:, :, 0]) for normal in (one, other))
+            along = (linear @ along[:, :, None])[:, :, 0]
         return dihedral(along, one, other)
 
     @property
@@ -142,9 +147,24 @@ def edges(batch: PolygonBatch) -> Edges:
     infinite corners. So are sides of zero length and those that are no true edges (`boundary`).
     Normals are Newell's (exact area vectors of non-planar and concave polygons).
     """
+    return _edges(batch, None)[0]
+
+
+def edges_of_each(batches: Sequence[PolygonBatch]) -> tuple[Edges, NDArray[np.int32]]:
+    """The edges of several batches, each in its own object space and without neighbours in the
+    others, and (P,) the batch of every row in planes. One or more."""
+    counts = [batch.polygon_count for batch in batches]
+    return _edges(join(batches), np.repeat(np.arange(len(batches), dtype=np.int32), counts))
+
+
+def _edges(
+    batch: PolygonBatch, objects: NDArray[np.int32] | None
+) -> tuple[Edges, NDArray[np.int32]]:
+    """The edges, of objects (one number a polygon) kept apart, and each plane's object."""
     sizes = np.diff(batch.starts)
     kinds = np.unique(sizes)
-    parts = []
+    parts: list[tuple[Floats, NDArray[np.int32], Doubles]] = []
+    owners: list[NDArray[np.int32]] = []
     done = 0
     for size in kinds[kinds >= 3].tolist():
         if len(kinds) == 1:
@@ -156,16 +176,20 @@ def edges(batch: PolygonBatch) -> Edges:
             at, flags = batch.corners[index], batch.boundary[index]
         part = _same_size(batch.positions[at], flags)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
+        if objects is not None:
+            owners.append(objects[np.flatnonzero(sizes == size)[part[3]]])
         done += len(part[2])
     if not parts:
         parts.append((np.empty((0, 9), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
     sides, polygon, planes = (
         parts[0] if len(parts) == 1 else (np.concatenate(a) for a in zip(*parts, strict=True))
     )
-    return Edges(sides, polygon, planes, *_neighbours(sides))
+    owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
+    neighbours = _neighbours(sides, owner[polygon] if len(owner) else None)
+    return Edges(sides, polygon, planes, *neighbours), owner
 
 
-def _neighbours(sides: Floats) -> tuple[Indices, Indices, Flags]:
+def _neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:
     """The fields order, first and forward of `Edges`.
 
     Ends count as one when they fall into the same cell. Those that rounding parted (a seam
@@ -173,16 +197,21 @@ def _neighbours(sides: Floats) -> tuple[Indices, Indices, Flags]:
     """
     if not len(sides):
         return np.empty(0, np.intp), np.empty(0, np.intp), np.empty(0, np.bool_)
-    low = np.array([sides[:, axis].min() for axis in range(3)], np.float64)
-    extent = max(*(float(sides[:, axis].max()) - low[axis] for axis in range(3)), 1e-300)
+    owner = np.zeros(1, np.int32) if owner is None else owner
+    low, extent = _boxes(sides, owner)
+    if len(low) > 1:
+        low, extent = low[owner], extent[owner]
     key, forward = _edge_keys(sides, low, extent, *_CELLS[0])
+    key += owner * _SPREAD
     order, first = _runs(key)
     for cells, shift in _CELLS[1:]:
         counts = np.diff(first, append=len(key))
         lone = order[first[counts == 1]]
         if len(lone) < 2:
             break
-        again, ahead = _edge_keys(sides[lone], low, extent, cells, shift)
+        whose = lone if len(low) > 1 else slice(None)
+        again, ahead = _edge_keys(sides[lone], low[whose], extent[whose], cells, shift)
+        again += (owner[lone] if len(owner) > 1 else owner) * _SPREAD
         found, at = _runs(again)
         sizes = np.diff(at, append=len(again))
         met = found[np.repeat(sizes > 1, sizes)]
@@ -190,6 +219,22 @@ def _neighbours(sides: Floats) -> tuple[Indices, Indices, Flags]:
             key[lone[met]], forward[lone[met]] = again[met], ahead[met]
             order, first = _runs(key)
     return order, first, forward
+
+
+def _boxes(sides: Floats, owner: NDArray[np.int32]) -> tuple[Doubles, Doubles]:
+    """(N, 3) the least corner and (N,) the extent of the sides of each owner."""
+    if len(owner) == 1:
+        ends = np.array(
+            [(sides[:, k].min(), sides[:, k].max()) for k in range(6)], np.float64
+        ).reshape(2, 3, 2)
+        low, high = ends[None, :, :, 0].min(axis=1), ends[None, :, :, 1].max(axis=1)
+    else:
+        low, high = (np.full((int(owner.max()) + 1, 3), end) for end in (np.inf, -np.inf))
+        for corners in (sides[:, :3], sides[:, 3:6]):
+            np.minimum.at(low, owner, corners)
+            np.maximum.at(high, owner, corners)
+        low, high = (np.where(np.isfinite(end), end, 0.0) for end in (low, high))
+    return low, np.maximum((high - low).max(axis=1), 1e-300)
 
 
 def _runs(key: NDArray[np.int64]) -> tuple[Indices, Indices]:
@@ -200,27 +245,27 @@ def _runs(key: NDArray[np.int64]) -> tuple[Indices, Indices]:
 
 
 def _edge_keys(
-    sides: Floats, low: Doubles, extent: float, cells: int, shift: float
+    sides: Floats, low: Doubles, extent: Doubles, cells: int, shift: float
 ) -> tuple[NDArray[np.int64], Flags]:
     """(E,) a number for the edge of each side, equal from either end, and the direction on it."""
     scale = (cells - 2) / extent
     start, end = (_cell(sides[:, at : at + 3], low, scale, shift) for at in (0, 3))
     lesser, greater = np.minimum(start, end), np.maximum(start, end)
     # 126 bits folded into 64; the odd multiplier spreads them, a clash is one in 2^64.
-    key = lesser * np.int64(-0x61C8864680B583EB) ^ (greater + (lesser >> np.int64(29)))
+    key = lesser * _SPREAD ^ (greater + (lesser >> np.int64(29)))
     alone = start == end  # shorter than a cell: an edge of its own
     key[alone] = -np.flatnonzero(alone) - 1
     return key, start < end
 
 
-def _cell(points: Floats, low: Doubles, scale: float, shift: float) -> NDArray[np.int64]:
+def _cell(points: Floats, low: Doubles, scale: Doubles, shift: float) -> NDArray[np.int64]:
     """(E,) one number for the cell of each point (E, 3)."""
-    x, y, z = (((points[:, k] - low[k]) * scale + shift).astype(np.int64) for k in range(3))
+    x, y, z = (((points[:, k] - low[:, k]) * scale + shift).astype(np.int64) for k in range(3))
     return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
 
 
-def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles]:
-    """Sides, polygon rows and planes of polygons with equally many corners.
+def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles, Flags]:
+    """Sides, polygon rows and planes of polygons with equally many corners, and which are sound.
 
     points (P, n, 3), flags (P, n).
     """
@@ -257,7 +302,9 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
     keep = (flags & ~still).ravel()
     polygon = np.repeat(np.arange(count, dtype=np.int32), size)
     flat = sides.reshape(-1, 9)
-    return (flat, polygon, planes) if keep.all() else (flat[keep], polygon[keep], planes)
+    if not keep.all():
+        flat, polygon = flat[keep], polygon[keep]
+    return flat, polygon, planes, sound
 
 
 def _area_vector(spokes: Doubles) -> Doubles:

@@ -1,55 +1,53 @@
-"""Many small batches as one, in eye space: what a thousand objects cost is one draw."""
+"""Many small batches as one: what a thousand objects cost is one draw."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import cofactors
-from glshim.geometry.edges import Doubles, Edges
-
-
-def moved(batch: PolygonBatch, modelview: Doubles) -> PolygonBatch:
-    """A batch taken through an affine (4, 4) modelview; it has no key."""
-    turn, shift = modelview[:3, :3].T.astype(np.float32), modelview[:3, 3].astype(np.float32)
-    positions = batch.positions @ turn + shift
-    return PolygonBatch(positions, batch.corners, batch.starts, batch.boundary)
+from glshim.geometry.camera import Camera, cofactors
+from glshim.geometry.edges import Doubles, Edges, Flags
 
 
-def placed(edges: Edges, modelviews: Doubles) -> Edges:
-    """One `Edges` for copies of another under affine modelviews (N, 4, 4)."""
-    copies, count = len(modelviews), len(edges)
-    turn, shift = modelviews[:, :3, :3], modelviews[:, None, :3, 3]
-    corners = edges.sides.reshape(-1, 3)
-    sides = (corners @ turn.transpose(0, 2, 1) + shift).astype(np.float32).reshape(-1, 9)
-    normals = edges.planes[:, :3] @ cofactors(modelviews).transpose(0, 2, 1)
-    length = np.sqrt(np.einsum("npi,npi->np", normals, normals))
-    normals /= np.maximum(length, 1e-300)[:, :, None]
-    feet = -edges.planes[:, 3:] * edges.planes[:, :3] @ turn.transpose(0, 2, 1) + shift
-    planes = np.empty((copies, len(edges.planes), 4))
-    planes[..., :3] = normals
-    planes[..., 3] = -np.einsum("npi,npi->np", normals, feet)
-    step = np.arange(copies)[:, None]
-    polygon = edges.polygon + step.astype(np.int32) * np.int32(len(edges.planes))
-    return Edges(
-        sides,
-        polygon.ravel(),
-        planes.reshape(-1, 4),
-        (edges.order + step * count).ravel(),
-        (edges.first + step * count).ravel(),
-        np.tile(edges.forward, copies),
-    )
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Where the parts of an `Edges` stand: each has its own object space."""
+
+    polygon: NDArray[np.int32]
+    """(P,) which modelview belongs to the polygon of a row in planes."""
+    modelviews: Doubles
+    """(M, 4, 4) affine, object space to eye space."""
+
+    def centres(self, camera: Camera) -> Doubles:
+        """(M, 4) the camera's `Camera.object_centre` under each modelview.
+
+        The minors of ``A M`` are ``adj(M)`` times the minors of A (Cauchy-Binet).
+        """
+        eye = camera.centre
+        adjugate = cofactors(self.modelviews).transpose(0, 2, 1)
+        determinant = np.einsum("mi,mi->m", self.modelviews[:, 0, :3], adjugate[:, :, 0])
+        spot = eye[:3] - self.modelviews[:, :3, 3] * eye[3]
+        along = np.einsum("mij,mj->mi", adjugate, spot)
+        return np.concatenate([along, determinant[:, None] * eye[3]], axis=1)
+
+    def mirrored(self, camera: Camera) -> Flags:
+        """(M,) `Camera.mirrored` under each modelview."""
+        turn = np.linalg.det(self.modelviews[:, :3, :3])
+        return np.asarray(float(np.linalg.det(camera.projection)) * turn > 0.0)
 
 
-def together(parts: Sequence[Edges]) -> Edges:
-    """Several `Edges` of one space as one, each with its own neighbours. One or more."""
+def together(parts: Sequence[Edges]) -> tuple[Edges, NDArray[np.int32]]:
+    """Several `Edges` as one, each with its own neighbours, and the part of every polygon (P,)."""
+    counts = [len(part.planes) for part in parts]
+    index = np.repeat(np.arange(len(parts), dtype=np.int32), counts)
     if len(parts) == 1:
-        return parts[0]
+        return parts[0], index
     sides = np.cumsum([0] + [len(part) for part in parts[:-1]])
-    planes = np.cumsum([0] + [len(part.planes) for part in parts[:-1]])
-    return Edges(
+    planes = np.cumsum([0, *counts[:-1]])
+    whole = Edges(
         np.concatenate([part.sides for part in parts]),
         np.concatenate(
             [part.polygon + np.int32(at) for part, at in zip(parts, planes, strict=True)]
@@ -59,3 +57,4 @@ def together(parts: Sequence[Edges]) -> Edges:
         np.concatenate([part.first + at for part, at in zip(parts, sides, strict=True)]),
         np.concatenate([part.forward for part in parts]),
     )
+    return whole, index

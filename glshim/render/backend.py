@@ -17,8 +17,8 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import Edges, edges, join
-from glshim.geometry.gather import moved, placed, together
+from glshim.geometry.edges import Edges, edges, edges_of_each, join
+from glshim.geometry.gather import Places, together
 from glshim.geometry.lines import RECORD, choose
 from glshim.render.cameras import MOST_CLIP_PLANES, grouped, hair_of, set_up, view_of
 from glshim.render.depth import UNIT, DepthCopy
@@ -76,6 +76,7 @@ class Backend:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
         self._ring_at = 0
+        self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
         self._depth = DepthCopy()
         self._copied: dict[tuple[int, int, int, int], bool] = {}
         array = ctypes.c_uint()
@@ -150,26 +151,26 @@ class Backend:
         small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
         if len(small) == 1:
             large, small = [*large, *small], []
-        work = [(self._edges(draw.batch), draw.camera) for draw in large]
+        for draw in large:
+            records = choose(self._edges(draw.batch), draw.camera, first.choice)
+            self._draw_records(draw, records, bits, greater)
         if small:
-            camera = replace(small[0].camera, modelview=np.eye(4))
-            work.append((self._gathered(small), camera))
-        for found, camera in work:
-            view = view_of(camera)
-            if view is not None:
-                records = choose(found, camera, first.choice)
-                if len(records):
-                    hair = hair_of(camera, bits, greater)
-                    self._draw_records(replace(first, camera=camera), records, view, hair, bits)
+            found, places = self._gathered(small)
+            camera = replace(first.camera, modelview=np.eye(4))
+            records = choose(found, camera, first.choice, places)
+            self._draw_records(replace(first, camera=camera), records, bits, greater)
 
     def _draw_records(
         self,
         draw: Draw,
         records: NDArray[np.float32],
-        view: dict[str, NDArray[np.float64]],
-        hair: float,
         bits: int,
+        greater: bool,
     ) -> None:
+        view = view_of(draw.camera)
+        if view is None or not len(records):
+            return
+        hair = hair_of(draw.camera, bits, greater)
         offset = self._stream(records)
         viewport = draw.camera.viewport
         if viewport not in self._copied:
@@ -256,26 +257,29 @@ class Backend:
             found = self._cache.put(key, made, made.nbytes)
         return found
 
-    def _gathered(self, draws: list[Draw]) -> Edges:
-        """The edges of many small batches in eye space."""
-        copies: dict[Hashable, list[Draw]] = {}
+    def _gathered(self, draws: list[Draw]) -> tuple[Edges, Places]:
+        """The edges of many small batches, each where it stands."""
+        kept = [draw for draw in draws if draw.batch.key is not None]
         passing: dict[int, list[Draw]] = {}
         for draw in draws:
             if draw.batch.key is None:
                 passing.setdefault(id(draw.camera), []).append(draw)
-            else:
-                copies.setdefault(draw.batch.key, []).append(draw)
-        parts = [
-            placed(self._edges(alike[0].batch), np.stack([d.camera.modelview for d in alike]))
-            for alike in copies.values()
-        ]
+        parts, owners = [], []
+        if kept:
+            keys = tuple(draw.batch.key for draw in kept)
+            if self._crowd is None or keys != self._crowd[0]:
+                self._crowd = (keys, *together([self._edges(draw.batch) for draw in kept]))
+            parts.append(self._crowd[1])
+            owners.append(self._crowd[2])
         if passing:
-            joined = [
-                moved(join([d.batch for d in alike]), alike[0].camera.modelview)
-                for alike in passing.values()
-            ]
-            parts.append(edges(join(joined)))
-        return together(parts)
+            found, owner = edges_of_each(
+                [join([draw.batch for draw in alike]) for alike in passing.values()]
+            )
+            parts.append(found)
+            owners.append(owner + np.int32(len(kept)))
+        cameras = [draw.camera for draw in kept] + [alike[0].camera for alike in passing.values()]
+        modelviews = np.stack([camera.modelview for camera in cameras])
+        return together(parts)[0], Places(np.concatenate(owners), modelviews)
 
     def _stream(self, records: NDArray[np.float32]) -> int:
         """Byte offset in the ring at which records now lie."""

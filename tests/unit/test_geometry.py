@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.edges import dihedral, edges, join
-from glshim.geometry.gather import moved, placed, together
+from glshim.geometry.edges import dihedral, edges, edges_of_each, join
+from glshim.geometry.gather import Places, together
 from glshim.geometry.lines import FIN, LONE_RIDGE, RECORD, RIDGE, RING, Choice, choose
 from tests import look
 
@@ -21,6 +21,11 @@ VIEW = (0, 0, 400, 400)
 def camera(modelview=None, projection=None, **more):
     modelview = look.look_at((3, 2, 2.5)) if modelview is None else modelview
     return Camera(modelview, look.perspective() if projection is None else projection, VIEW, **more)
+
+
+def moved(batch, modelview):
+    positions = batch.positions @ modelview[:3, :3].T + modelview[:3, 3]
+    return PolygonBatch(positions.astype(np.float32), batch.corners, batch.starts, batch.boundary)
 
 
 def kinds(records):
@@ -259,15 +264,43 @@ def test_a_projection_on_the_modelview_stack_is_made_affine():
 # gathering
 
 
-def test_copies_in_eye_space_are_the_moved_batches():
+@pytest.mark.parametrize("projection", [look.perspective(), look.orthographic()])
+def test_batches_in_their_places_have_the_lines_of_moved_batches(projection):
+    """Turned, mirrored, squeezed and flattened; chosen in object space, moved afterwards."""
     rng = np.random.default_rng(2)
-    modelviews = np.tile(np.eye(4), (3, 1, 1))
-    modelviews[:, :3] = rng.normal(size=(3, 3, 4))
-    every = placed(edges(look.cube()), modelviews)
-    alone = together([edges(moved(look.cube(), m)) for m in modelviews])
-    assert np.allclose(every.sides, alone.sides, atol=1e-5)
-    assert np.allclose(every.planes, alone.planes, atol=1e-4)
-    assert (every.polygon == alone.polygon).all()
-    assert len(every.pairs[0]) == len(alone.pairs[0]) == 36
-    assert np.allclose(np.sort(every.folds), np.sort(alone.folds), atol=1e-4)
-    assert together([every]) is every
+    modelviews = np.tile(np.eye(4), (7, 1, 1))
+    modelviews[:, :3] = rng.normal(size=(7, 3, 4))
+    modelviews[:, 2, 3] -= 9.0
+    modelviews[3] = look.look_at((3, 2, 2.5))
+    modelviews[4] = modelviews[3] @ np.diag([-1.0, 1, 1, 1])
+    modelviews[5] = modelviews[3] @ np.diag([2.0, 2, 2, 1])
+    modelviews[6, :3, :3] = np.diag([1.0, 1, 0])
+    meshes = [(look.cube(), look.torus(), look.bowl())[k % 3] for k in range(7)]
+    whole, owner = together([edges(mesh) for mesh in meshes])
+    eye = camera(np.eye(4), projection)
+    choice = Choice(True, np.radians(100.0))
+    found = choose(whole, eye, choice, Places(owner, modelviews))
+    for k in range(6):
+        alone = choose(edges(meshes[k]), camera(modelviews[k], projection), choice)
+        one, index = together([edges(meshes[k])])
+        here = choose(one, eye, choice, Places(index, modelviews[k : k + 1]))
+        assert kinds(here) == kinds(alone)
+        ends = alone[:, :9].reshape(-1, 3, 3) @ modelviews[k, :3, :3].T + modelviews[k, :3, 3]
+        assert np.allclose(here[:, :9], ends.reshape(-1, 9), atol=1e-4)
+        assert (here[:, 13:] == alone[:, 13:]).all()
+    assert len(found) >= sum(
+        len(choose(edges(meshes[k]), camera(modelviews[k], projection), choice)) for k in range(6)
+    )
+
+
+def test_objects_apart_are_no_neighbours_even_where_they_touch():
+    """Two cubes side by side, each drawn on its own: every one keeps its own edges."""
+    aside = np.eye(4)
+    aside[0, 3] = 1.8
+    pair = [look.cube(), moved(look.cube(), aside)]
+    found, owner = edges_of_each(pair)
+    assert len(found.pairs[0]) == 24 and not len(found.crowds[0])
+    assert (np.bincount(owner) == 6).all()
+    one, other = (found.polygon[side] for side in found.pairs)
+    assert (owner[one] == owner[other]).all()
+    assert len(edges(join(pair)).crowds[0]) == 16  # in one object they meet
