@@ -36,7 +36,8 @@ def shade(i: int) -> tuple[float, float, float]:
     return (i * 37 % 100 / 99.0, i * 61 % 100 / 99.0, i * 13 % 100 / 99.0)
 
 
-@each({f"{name}-{size}": (mode, size) for name, mode in (MODES | ADJACENT).items() for size in SIZES})
+@each({f"{name}-{size}": (mode, size) for name, mode in (MODES | ADJACENT).items()
+       for size in SIZES})  # fmt: skip
 def every_mode(app: App, which: tuple[int, int]) -> None:
     mode, size = which
     GL.glPointSize(3.0)

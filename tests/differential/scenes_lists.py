@@ -78,6 +78,11 @@ def nested_lists_defined_later(app: App, mode: int) -> None:
     app.tries(GL.glCallList, 6)
 
 
+def _each_called(app: App, names: tuple[int, ...]) -> None:
+    for name in names:
+        app.tries(GL.glCallList, name)
+
+
 TYPES = {
     "byte": (GL.GL_BYTE, "i1"), "ubyte": (GL.GL_UNSIGNED_BYTE, "u1"), "short": (GL.GL_SHORT, "i2"),
     "ushort": (GL.GL_UNSIGNED_SHORT, "u2"), "int": (GL.GL_INT, "i4"),
@@ -87,7 +92,7 @@ TYPES = {
 
 @each(TYPES)
 def call_lists_of_type(app: App, which: tuple[int, str]) -> None:
-    from OpenGL.raw.GL.VERSION import GL_1_1 as raw  # noqa: PLC0415
+    from OpenGL.raw.GL.VERSION import GL_1_1 as raw
 
     type_, dtype = which
     for k in range(4):
@@ -139,7 +144,7 @@ def begun_in_one_list_and_ended_in_another(app: App, which: tuple[int, int]) -> 
     app.tries(GL.glCallList, 3)
     app.error()
     app.tries(GL.glEnd)
-    recorded(4, lambda: [app.tries(GL.glCallList, n) for n in (1, 2, 3)][0], mode)
+    recorded(4, lambda: _each_called(app, (1, 2, 3)), mode)
     app.tries(GL.glCallList, 4)
     app.error()
     recorded(7, lambda: [GL.glBegin(GL.GL_POLYGON), vertices(slice(5)), GL.glCallList(2),

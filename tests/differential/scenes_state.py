@@ -201,8 +201,9 @@ def _texture_matrix() -> None:
 
 def _smooth() -> None:
     for name in (GL.GL_LINE_SMOOTH, GL.GL_POINT_SMOOTH, GL.GL_POLYGON_SMOOTH, GL.GL_DITHER,
-                 GL.GL_NORMALIZE, GL.GL_COLOR_SUM, GL.GL_MULTISAMPLE, GL.GL_TEXTURE_CUBE_MAP_SEAMLESS,
-                 GL.GL_PRIMITIVE_RESTART, GL.GL_PROGRAM_POINT_SIZE, GL.GL_DEPTH_CLAMP):  # fmt: skip
+                 GL.GL_NORMALIZE, GL.GL_COLOR_SUM, GL.GL_MULTISAMPLE,
+                 GL.GL_TEXTURE_CUBE_MAP_SEAMLESS, GL.GL_PRIMITIVE_RESTART,
+                 GL.GL_PROGRAM_POINT_SIZE, GL.GL_DEPTH_CLAMP):  # fmt: skip
         GL.glEnable(name)
     GL.glPrimitiveRestartIndex(2)
 
@@ -264,7 +265,8 @@ def material_and_array_element_inside(app: App) -> None:
 
 @scene
 def evaluators(app: App) -> None:
-    grid = np.array([[[x - 1.5, y - 1.5, (x * y) % 3 / 3] for x in range(4)] for y in range(4)], "f")
+    rows = [[[x - 1.5, y - 1.5, (x * y) % 3 / 3] for x in range(4)] for y in range(4)]
+    grid = np.array(rows, np.float32)
     GL.glMap2f(GL.GL_MAP2_VERTEX_3, 0, 1, 0, 1, grid)
     GL.glEnable(GL.GL_MAP2_VERTEX_3)
     GL.glEnable(GL.GL_AUTO_NORMAL)
