@@ -1,0 +1,352 @@
+"""One shape drawn in every way that OpenGL has: the same picture, lines included."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from contextlib import suppress
+from functools import cache
+
+import numpy as np
+import pytest
+from OpenGL import GL
+
+from tests import look
+
+from .scenes_lists import recorded
+from .test_contexts import INK, VISIBLE, inked
+from .world import App, Outcome, run
+
+MESH = look.torus(14, 8, 0.9, 0.45)
+QUADS = MESH.corners.reshape(-1, 4)
+POINTS = np.ascontiguousarray(MESH.positions, np.float32)
+ORDER = np.ascontiguousarray(QUADS.reshape(-1), np.uint32)
+UNROLLED = np.ascontiguousarray(POINTS[ORDER])
+Path = Callable[[App], None]
+PATHS: dict[str, Path] = {}
+
+
+def path(function: Path) -> Path:
+    PATHS[function.__name__] = function
+    return function
+
+
+def look_down() -> None:
+    """A turned torus under light."""
+    GL.glEnable(GL.GL_CULL_FACE)
+    GL.glRotatef(35.0, 1.0, 0.2, 0.0)
+    GL.glColor3f(0.3, 0.6, 0.5)
+    GL.glScalef(1.2, 1.2, 1.2)
+
+
+@path
+def immediate_mode(app: App) -> None:
+    GL.glBegin(GL.GL_QUADS)
+    for point in UNROLLED.tolist():
+        GL.glVertex3fv(point)
+    GL.glEnd()
+
+
+@path
+def many_small_primitives(app: App) -> None:
+    for quad in QUADS:
+        GL.glBegin(GL.GL_POLYGON)
+        for corner in quad:
+            GL.glVertex3f(*POINTS[corner].tolist())
+        GL.glEnd()
+
+
+@path
+def homogeneous_vertices(app: App) -> None:
+    GL.glBegin(GL.GL_QUADS)
+    for x, y, z in UNROLLED.tolist():
+        GL.glVertex4f(2.0 * x, 2.0 * y, 2.0 * z, 2.0)
+    GL.glEnd()
+
+
+@path
+def with_materials_between(app: App) -> None:
+    GL.glBegin(GL.GL_QUADS)
+    for point in UNROLLED.tolist():
+        GL.glMaterialf(GL.GL_FRONT, GL.GL_SHININESS, 3.0)
+        GL.glVertex3fv(point)
+    GL.glEnd()
+
+
+@path
+def display_list(app: App) -> None:
+    recorded(1, lambda: immediate_mode(app))
+    GL.glCallList(1)
+
+
+@path
+def list_compiled_and_executed(app: App) -> None:
+    recorded(1, lambda: many_small_primitives(app), GL.GL_COMPILE_AND_EXECUTE)
+
+
+@path
+def nested_lists_with_matrices(app: App) -> None:
+    def moved() -> None:
+        GL.glPushMatrix()
+        GL.glTranslatef(0.5, 0.0, 0.25)
+        GL.glCallLists([1])
+        GL.glPopMatrix()
+
+    def back() -> None:
+        GL.glBegin(GL.GL_QUADS)
+        for x, y, z in UNROLLED.astype(float):
+            GL.glVertex3d(x - 0.5, y, z - 0.25)
+        GL.glEnd()
+
+    recorded(1, back)
+    recorded(2, moved)
+    GL.glCallList(2)
+
+
+@path
+def list_of_bare_vertices(app: App) -> None:
+    half = len(UNROLLED) // 2
+
+    def vertices(part: np.ndarray) -> None:
+        for point in part:
+            GL.glVertex3fv(point)
+
+    recorded(1, lambda: vertices(UNROLLED[half:]))
+    GL.glListBase(-1 & 0xFFFFFFFF)
+    GL.glBegin(GL.GL_QUADS)
+    vertices(UNROLLED[:half])
+    GL.glCallLists(np.array([2], np.uint8))
+    GL.glEnd()
+
+
+@path
+def begun_and_ended_in_lists(app: App) -> None:
+    recorded(1, lambda: GL.glBegin(GL.GL_QUADS))
+    recorded(2, lambda: [GL.glVertex3fv(p) for p in UNROLLED] and GL.glEnd())
+    GL.glCallList(1)
+    with suppress(GL.GLError):  # PyOpenGL's own: it asks for errors inside the primitive
+        GL.glCallList(2)
+
+
+def _pointer(app: App, points: np.ndarray) -> None:
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glVertexPointer(points.shape[1], GL.GL_FLOAT, 0, app.keeps(points))
+
+
+@path
+def draw_arrays(app: App) -> None:
+    _pointer(app, UNROLLED)
+    GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
+
+
+@path
+def draw_arrays_with_stride_and_doubles(app: App) -> None:
+    wide = app.keeps(np.zeros((len(UNROLLED) + 3, 5)))
+    wide[3:, 1:4] = UNROLLED
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glVertexPointer(3, GL.GL_DOUBLE, 40, ctypes.c_void_p(wide.ctypes.data + 8))
+    GL.glDrawArrays(GL.GL_QUADS, 3, len(UNROLLED))
+
+
+@path
+def interleaved_arrays(app: App) -> None:
+    data = np.hstack([np.tile(np.float32([0, 0, 1]), (len(UNROLLED), 1)), UNROLLED])
+    GL.glInterleavedArrays(GL.GL_N3F_V3F, 0, app.keeps(np.ascontiguousarray(data)))
+    GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
+
+
+@path
+def draw_elements(app: App) -> None:
+    _pointer(app, POINTS)
+    GL.glDrawElements(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_INT, app.keeps(ORDER))
+
+
+@path
+def draw_elements_of_bytes(app: App) -> None:
+    _pointer(app, POINTS)
+    GL.glDrawElements(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_BYTE, app.keeps(ORDER.astype("u1")))
+
+
+@path
+def draw_range_elements(app: App) -> None:
+    _pointer(app, POINTS)
+    GL.glDrawRangeElements(GL.GL_QUADS, 0, len(POINTS), len(ORDER), GL.GL_UNSIGNED_INT, ORDER)
+
+
+@path
+def base_vertex(app: App) -> None:
+    _pointer(app, np.vstack([np.zeros((5, 3), np.float32), POINTS]))
+    GL.glDrawElementsBaseVertex(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_INT, ORDER, 5)
+
+
+@path
+def multi_draw_arrays(app: App) -> None:
+    _pointer(app, UNROLLED)
+    firsts = np.arange(0, len(UNROLLED), 4, dtype=np.int32)
+    GL.glMultiDrawArrays(GL.GL_QUADS, firsts, np.full(len(firsts), 4, np.int32), len(firsts))
+
+
+@path
+def multi_draw_elements(app: App) -> None:
+    _pointer(app, POINTS)
+    half = len(ORDER) // 8 * 4
+    pointers = (ctypes.c_void_p * 2)(ORDER.ctypes.data, ORDER.ctypes.data + 4 * half)
+    counts = np.array([half, len(ORDER) - half], np.int32)
+    GL.glMultiDrawElements(GL.GL_QUADS, counts, GL.GL_UNSIGNED_INT, pointers, 2)
+
+
+@path
+def array_elements(app: App) -> None:
+    _pointer(app, POINTS)
+    GL.glBegin(GL.GL_QUADS)
+    for index in ORDER:
+        GL.glArrayElement(int(index))
+    GL.glEnd()
+
+
+@path
+def array_elements_in_a_list(app: App) -> None:
+    _pointer(app, POINTS)
+
+    def body() -> None:
+        GL.glBegin(GL.GL_QUADS)
+        for place, index in enumerate(ORDER.tolist()):
+            if place % 3:
+                GL.glArrayElement(index)
+            else:
+                GL.glVertex3fv(POINTS[index])
+        GL.glEnd()
+
+    recorded(1, body)
+    GL.glDisableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glCallList(1)
+
+
+def _buffer(target: int, data: np.ndarray) -> int:
+    name = GL.glGenBuffers(1)
+    GL.glBindBuffer(target, name)
+    GL.glBufferData(target, data, GL.GL_STATIC_DRAW)
+    return int(name)
+
+
+@path
+def buffer_object(app: App) -> None:
+    _buffer(GL.GL_ARRAY_BUFFER, UNROLLED)
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glVertexPointer(3, GL.GL_FLOAT, 0, ctypes.c_void_p(0))
+    GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
+
+
+@path
+def indexed_buffer_objects_rewritten(app: App) -> None:
+    _buffer(GL.GL_ARRAY_BUFFER, np.zeros_like(POINTS))
+    _buffer(GL.GL_ELEMENT_ARRAY_BUFFER, ORDER)
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glVertexPointer(3, GL.GL_FLOAT, 0, ctypes.c_void_p(0))
+    for data in (None, POINTS):
+        if data is not None:
+            GL.glBufferSubData(GL.GL_ARRAY_BUFFER, 0, data)
+        GL.glDrawElements(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_INT, ctypes.c_void_p(0))
+
+
+@path
+def vertex_array_object(app: App) -> None:
+    GL.glBindVertexArray(GL.glGenVertexArrays(1))
+    buffer_object(app)
+
+
+@path
+def arrays_in_a_list(app: App) -> None:
+    points = UNROLLED.copy()
+    _pointer(app, points)
+    recorded(1, lambda: GL.glDrawArrays(GL.GL_QUADS, 0, len(points)))
+    points[:] = 0.0
+    GL.glDisableClientState(GL.GL_VERTEX_ARRAY)
+    GL.glCallList(1)
+
+
+@cache
+def reference() -> Outcome:
+    return run(lambda app: [look_down(), immediate_mode(app)][0], VISIBLE)
+
+
+def test_the_reference_has_lines() -> None:
+    assert inked(reference()) > 250
+
+
+ROUNDED = ("nested_lists_with_matrices", "homogeneous_vertices")
+"""Positions that pass through other floats: pixels may fall on the other side of an edge."""
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_every_path_gives_the_same_lines(name: str) -> None:
+    outcome = run(lambda app: [look_down(), PATHS[name](app)][0], VISIBLE)
+    assert [said for said in outcome.saw if said != "0"] == []
+    different = (outcome.picture != reference().picture).any(axis=2)
+    assert different.sum() <= (12 if name in ROUNDED else 0)
+
+
+def test_rectangles_are_quads() -> None:
+    def rectangles(app: App) -> None:
+        look_down()
+        GL.glRectf(-0.5, -0.25, 0.5, 0.75)
+        GL.glTranslatef(-1.2, 0, 0)
+        GL.glRectiv([0, 0], [1, -1])
+
+    def quads(app: App) -> None:
+        look_down()
+        for move, (x1, y1, x2, y2) in ((0, (-0.5, -0.25, 0.5, 0.75)), (-1.2, (0, 0, 1, -1))):
+            GL.glTranslatef(move, 0, 0)
+            GL.glBegin(GL.GL_QUADS)
+            for corner in ((x1, y1), (x2, y1), (x2, y2), (x1, y2)):
+                GL.glVertex2f(*corner)
+            GL.glEnd()
+
+    outcome = run(rectangles, VISIBLE)
+    assert inked(outcome) > 30
+    assert (outcome.picture == run(quads, VISIBLE).picture).all()
+
+
+@pytest.mark.parametrize("fill", ["none", "#123456"])
+@pytest.mark.parametrize("name", ["immediate_mode", "many_small_primitives", "display_list",
+                                  "buffer_object", "array_elements"])  # fmt: skip
+def test_fill_replaces_the_surfaces_and_no_state(name: str, fill: str) -> None:
+    def scene(app: App) -> None:
+        look_down()
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE)
+        PATHS[name](app)
+
+    plain, filled = run(scene), run(scene, f"{VISIBLE},fill={fill}")
+    assert plain.differences(filled, pictures=False) == {}
+    surface = (128, 128, 128) if fill == "none" else (0x12, 0x34, 0x56)
+    colours = {tuple(pixel) for pixel in filled.picture[..., :3].reshape(-1, 3).tolist()}
+    assert colours == {(128, 128, 128), surface, INK}
+
+
+def test_a_hud_stays_on_top_and_unlined() -> None:
+    def with_hud(depth: bool) -> Callable[[App], None]:
+        def scene(app: App) -> None:
+            look_down()
+            immediate_mode(app)
+            GL.glMatrixMode(GL.GL_PROJECTION)
+            GL.glLoadIdentity()
+            GL.glMatrixMode(GL.GL_MODELVIEW)
+            GL.glLoadIdentity()
+            GL.glDisable(GL.GL_CULL_FACE)
+            if not depth:
+                GL.glDisable(GL.GL_DEPTH_TEST)
+            GL.glColor3f(1.0, 1.0, 0.0)
+            GL.glBegin(GL.GL_QUADS)
+            for corner in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+                GL.glVertex3f(*corner, -1.0)
+            GL.glEnd()
+
+        return scene
+
+    for depth in (False, True):
+        outcome = run(with_hud(depth), VISIBLE)
+        hud = np.zeros((72, 96), bool)
+        hud[18:54, 24:72] = True
+        assert (outcome.picture[hud][:, :3] == (255, 255, 0)).all()
+        assert (outcome.picture[~hud] == reference().picture[~hud]).all()
