@@ -111,17 +111,13 @@ class Watch:
         opens, closes = role is Role.LIST_OPEN, role is Role.LIST_CLOSE
 
         def maker(real: Call) -> Call:
-            spill, inside = RECORDER.spill, RECORDER.inside
+            inside = RECORDER.inside
 
             def hook(*args: Any) -> Any:
                 if closes and RECORDER.list_open:
                     RECORDER.close_list()
                 if inside():
-                    spill()
-                    result = real(*args)
-                    if self._watcher is not None:
-                        self._watcher.inside(name, args, lambda: real(*args))
-                    return result
+                    return self._inside(name, args, real)
                 try:
                     return real(*args)
                 finally:
@@ -131,6 +127,21 @@ class Watch:
             return hook
 
         return maker
+
+    def _inside(self, name: str, args: tuple[Any, ...], real: Call) -> Any:
+        """A call inside a primitive: what was recorded goes first, the rest straight through."""
+        from OpenGL.error import GLError
+
+        RECORDER.spill()
+        try:
+            result = real(*args)
+        except GLError:
+            if self._watcher is not None:
+                self._watcher.inside(name, args, lambda: real(*args))
+            raise
+        if self._watcher is not None:
+            self._watcher.inside(name, args, lambda: real(*args))
+        return result
 
     def _telling(self, name: str, role: Role) -> Maker:
         if role is Role.LIST_OPEN or role is Role.LIST_CLOSE:
@@ -146,10 +157,7 @@ class Watch:
                 if watcher is None:
                     return real(*args)
                 if inside():
-                    RECORDER.spill()
-                    result = real(*args)
-                    watcher.inside(name, args, lambda: real(*args))
-                    return result
+                    return self._inside(name, args, real)
                 watcher.before(role, name, args)
                 try:
                     result = real(*args)
