@@ -21,6 +21,7 @@ from glshim.geometry.edges import Edges, edges, edges_of_each, join
 from glshim.geometry.gather import Places, together
 from glshim.geometry.lines import RECORD, choose
 from glshim.render.cameras import MOST_CLIP_PLANES, grouped, hair_of, set_up, view_of
+from glshim.render.canvas import DEPTH_BITS, DEPTH_ONLY, Canvas, triangles
 from glshim.render.depth import UNIT, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.guard import Guard, possible
@@ -43,7 +44,7 @@ _OFF = (  # what would change or drop the ink: each is enabled by some app
     *range(0x3000, 0x3006),  # clip planes
 )  # fmt: skip
 _DEPTH_TEST = 0x0B71
-_DEPTH_FUNC, _DEPTH_BITS = 0x0B74, 0x0D56
+_DEPTH_FUNC, _DEPTH_BITS, _FRAMEBUFFER_BINDING = 0x0B74, 0x0D56, 0x8CA6
 _LEQUAL, _GREATER, _GEQUAL = 0x0203, 0x0204, 0x0206
 _STRIP = 0x0005
 _INPUTS = ("edge_a", "edge_b", "edge_c", "edge_plane", "edge_kind")
@@ -78,6 +79,7 @@ class Backend:
         self._ring_at = 0
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
         self._depth = DepthCopy()
+        self._canvas: Canvas | None = None
         self._copied: dict[tuple[int, int, int, int], bool] = {}
         array = ctypes.c_uint()
         gl.glGenVertexArrays(1, ctypes.addressof(array))
@@ -119,9 +121,9 @@ class Backend:
     def render(self, draws: Iterable[Draw]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
-        Does nothing where GL cannot draw now (a list being compiled, selection, a full attribute
-        stack) or where there is no depth buffer to hide lines. Raises `RenderError` when a
-        shader does not compile.
+        Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
+        where GL cannot draw now (a list being compiled, selection, a full attribute stack). Raises
+        `RenderError` when a shader does not compile.
         """
         self._cache.tick()
         groups = grouped(draws)
@@ -129,20 +131,47 @@ class Backend:
             return
         with Guard():
             bits, function = _integer(_DEPTH_BITS), _integer(_DEPTH_FUNC)
-            if bits == 0:
-                return
             greater = function in (_GREATER, _GEQUAL)
             for capability in _OFF:
                 gl.glDisable(capability)
             gl.glEnable(_DEPTH_TEST)
             gl.glDepthFunc(_GEQUAL if greater else _LEQUAL)
-            gl.glDepthMask(0)
             gl.glStencilMask(0)
             gl.glColorMask(1, 1, 1, 1)
             gl.glPolygonMode(0x0408, 0x1B02)
+            window = _integer(_FRAMEBUFFER_BINDING)
+            if not bits:
+                self._lay_depth(groups, greater)
+            gl.glDepthMask(0)
             self._copied.clear()
             for group in groups:
-                self._draw(group, bits, greater)
+                self._draw(group, bits or DEPTH_BITS, greater)
+            if not bits and self._canvas is not None:
+                self._canvas.put_over(window)
+
+    def _lay_depth(self, groups: list[list[Draw]], greater: bool) -> None:
+        """Bind a canvas with the depth of the draws' polygons."""
+        if self._canvas is None:
+            self._canvas = Canvas(self._context)
+        ports = [draw.camera.viewport for group in groups for draw in group]
+        extent = (max(x + width for x, _, width, _ in ports),
+                  max(y + height for _, y, _, height in ports))  # fmt: skip
+        self._canvas.open(*extent, greater)
+        gl.glColorMask(0, 0, 0, 0)
+        for draw in (draw for group in groups for draw in group):
+            view = view_of(draw.camera)
+            points = triangles(draw.batch)
+            if view is None or not len(points):
+                continue
+            program = self._ready(DEPTH_ONLY, draw.camera, view, {}, 0.0, spines=False)
+            set_up(draw.camera)
+            gl.glUseProgram(program.program.glo)
+            source = self._context.buffer(points)
+            array = self._context.vertex_array(program.program, [(source, "3f", "edge_a")])
+            array.render(moderngl.TRIANGLES)
+            array.release()
+            source.release()
+        gl.glColorMask(1, 1, 1, 1)
 
     def _draw(self, group: list[Draw], bits: int, greater: bool) -> None:
         """Draws alike in all but batch and modelview, as few GL draws."""

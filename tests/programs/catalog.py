@@ -35,7 +35,7 @@ DEMO_PROGRAMS = (
     demo("GLUT/molehill.py"),
     demo("redbook/scene.py"),
     demo("redbook/teapots.py"),
-    demo("redbook/movelight.py", inked=False),  # its window has no depth buffer
+    demo("redbook/movelight.py"),  # its window has no depth buffer
     demo("NeHe/lesson5.py"),
     demo("NeHe/lesson6.py"),
     demo("NeHe/lesson12.py"),
@@ -61,6 +61,7 @@ OLD_MANNERS = (
     Program("cad_views", "ours", str(HERE / "apps" / "cad_views.py")),
     Program("effects", "ours", str(HERE / "apps" / "effects.py")),
     Program("raw_threads", "ours", str(HERE / "apps" / "raw_threads.py"), frames=4),
+    Program("loader_thread", "ours", str(HERE / "apps" / "loader_thread.py"), frames=4),
 )
 
 TOOLKITS = tuple(
