@@ -111,13 +111,15 @@ def assemble_many(primitives: Sequence[tuple[int, bytes]]) -> PolygonBatch:
 
 def _assemble_alike(mode: int, streams: list[bytes]) -> PolygonBatch:
     """Primitives of one mode and stream length; triangles, quads or one polygon each."""
-    counts = [int((KIND[decode(s)[0]] == VERTEX).sum()) for s in streams[:1]]
-    positions, flags = vertices(b"".join(streams))
-    sides = {TRIANGLES: 3, QUADS: 4}.get(mode, counts[0])
-    if counts[0] * len(streams) != len(positions) or counts[0] < 3 or flags is not None:
+    joined = b"".join(streams)
+    counts = (KIND[decode(joined)[0]] == VERTEX).reshape(len(streams), -1).sum(axis=1)
+    count = int(counts[0])
+    positions, flags = vertices(joined)
+    sides = {TRIANGLES: 3, QUADS: 4}.get(mode, count)
+    if (counts != count).any() or count < 3 or flags is not None:
         return concatenate([assemble(mode, stream) for stream in streams])
-    each = counts[0] // sides * sides
-    index = np.arange(len(positions), dtype=np.int32).reshape(-1, counts[0])[:, :each]
+    each = count // sides * sides
+    index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]
     corners = np.ascontiguousarray(index).reshape(-1)
     starts = np.arange(0, len(corners) + 1, sides, dtype=np.int32)
     return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_))

@@ -137,15 +137,18 @@ class ListBook:
         for at in stale:
             del self._resolved[at]
 
-    def _reach(self, name: int, depth: int = 0) -> set[int]:
+    def _reach(self, name: int) -> set[int]:
         """The list and all that it calls, whether they exist or not."""
-        program = self._programs.get(name)
-        reached = {name}
-        if program is not None and depth <= _NESTING:
-            for item in program.items:
-                if isinstance(item, Call):
-                    for called in item.names:
-                        reached |= self._reach(called, depth + 1)
+        reached: set[int] = set()
+        waiting = [name]
+        while waiting:
+            each = waiting.pop()
+            if each not in reached:
+                reached.add(each)
+                program = self._programs.get(each)
+                for item in program.items if program is not None else ():
+                    if isinstance(item, Call):
+                        waiting += item.names
         return reached
 
     def redefined_elsewhere(self, name: int) -> None:
