@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from io import BytesIO
+from threading import get_ident
 from typing import Any, Protocol
 
 from numpy import ndarray
@@ -61,7 +62,7 @@ class Recorder:
         self.extend: Callable[[bytes], None] = lambda records: None
         """Add records of vertices that reached the driver another way (glArrayElement)."""
         self.inside: Callable[[], bool] = lambda: False
-        """Whether a recorded glBegin is open."""
+        """Whether this thread has a recorded glBegin open."""
         self.position: Callable[[], int] = lambda: 0
         """Bytes recorded so far of the open primitive."""
         self.open_list: Callable[[bool], None] = lambda capturing: None
@@ -108,7 +109,7 @@ class Recorder:
         deferred = False  # inside a primitive whose vertices are held back
         shadow = False  # what goes straight through is recorded as well
         bare = False  # inside a display list, outside any primitive of it
-        mode = 0
+        mode = home = 0  # home: the thread that opened the primitive
         expected = 0  # so many more primitives may be large: ask beforehand whether arrays do
         able = False  # they do for the open primitive, should it turn out large
         stream = BytesIO()
@@ -149,10 +150,10 @@ class Recorder:
             write = stream.write
 
         def resume(new_mode: int, records: bytes) -> None:
-            nonlocal shadow, mode
+            nonlocal shadow, mode, home
             restart()
             write(records)
-            mode = new_mode
+            mode, home = new_mode, get_ident()
             shadow = True
 
         def finish() -> tuple[int, bytes] | None:
@@ -167,13 +168,13 @@ class Recorder:
         self.open_list, self.close_list = open_list, close_list
         self.resume, self.finish = resume, finish
         self.position = lambda: stream.tell()  # noqa: PLW0108 - the stream changes
-        self.inside = lambda: (deferred or shadow) and not bare
+        self.inside = lambda: (deferred or shadow) and not bare and get_ident() == home
 
         def make_begin(real: Call, checked: bool = True) -> Call:
             driver_begin = quick("glBegin")
 
             def begin(*args: Any) -> Any:
-                nonlocal deferred, mode, stream, write, shadow, bare, expected, able
+                nonlocal deferred, mode, stream, write, shadow, bare, expected, able, home
                 if bare:
                     if self.sink is not None:
                         self.sink.bare(stream.getvalue())
@@ -196,7 +197,7 @@ class Recorder:
                     driver_begin(new_mode)
                 stream = BytesIO()
                 write = stream.write
-                mode = new_mode
+                mode, home = new_mode, get_ident()
                 deferred, shadow = not careful, careful
                 return forward.check(real) if checked and not careful else None
 

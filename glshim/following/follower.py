@@ -73,7 +73,6 @@ class Follower:
         self.studio = studio
         self._scenes = Scenes()
         self._now: Scene | None = None
-        self._drawing: DrawState | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
         self._elements: list[tuple[int, int]] = []
         """Positions in the record of glArrayElement calls, and their indices: nothing may be
@@ -94,8 +93,8 @@ class Follower:
     @contained
     def end(self, mode: int, stream: bytes) -> None:
         """After glEnd."""
-        state = self._close()
         scene = self._now
+        state = self._close(scene)
         if scene is None or mode not in POLYGON_MODES:
             return
         if self._elements:
@@ -159,8 +158,8 @@ class Follower:
     @contained
     def unfinished(self, mode: int, stream: bytes) -> None:
         """An open list leaves the primitive open that it began."""
-        self._close()
         scene = self._scenes.current()
+        self._close(scene)
         if scene is not None:
             scene.compile(Opening(mode, self._with_elements(scene, stream)))
 
@@ -231,22 +230,22 @@ class Follower:
         elif role is Role.LIST_CALL:
             self._lists_called(scene, scene.names(name, args))
         elif role in _DRAWS:
-            state = self._close()
+            state = self._close(scene)
             if state is not None or scene.lists.open is not None:
                 self._drawn(scene, state, name, args)
         elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
-            self._close()
+            self._close(scene)
 
     @contained
     def refused(self) -> None:
         """PyOpenGL refused the arguments: nothing was drawn."""
-        self._close()
+        self._close(self._scenes.current())
 
     def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
-        state = self._close()
+        state = self._close(scene)
         scene.compile(Call(names))
         if state is not None and scene.lists_called(state, names):
-            self._now, self._drawing = scene, state
+            self._now, scene.drawing = scene, state
 
     def _drawn(
         self, scene: Scene, state: DrawState | None, name: str, args: tuple[Any, ...]
@@ -296,8 +295,8 @@ class Follower:
     @contained
     def after_shape(self, shape: Shape | None) -> None:
         """It has drawn a shape, or (None) no polygons."""
-        state = self._close()
         scene = self._scenes.current()
+        state = self._close(scene)
         if scene is None or scene.refused or shape is None:
             return
         if scene.lists.open is not None:
@@ -313,8 +312,10 @@ class Follower:
 
     def _open(self, polygons: bool, scene: Scene | None) -> None:
         """A draw begins: the layer may end, and its polygons may carry lines."""
-        self._drawing = None
-        if scene is None or scene.refused or scene.compiles_only:
+        if scene is None:
+            return
+        scene.drawing = None
+        if scene.refused or scene.compiles_only:
             return
         layer = scene.layer
         if not polygons and not layer.pending:
@@ -326,15 +327,17 @@ class Follower:
         if not polygons:
             return
         if layer.carries(state):
-            self._drawing = state
+            scene.drawing = state
             if not compiling:
                 self.studio.cover()
         elif state.obstacle:
             say_once(f"unstyled: polygons drawn while {state.obstacle}")
 
-    def _close(self) -> DrawState | None:
+    def _close(self, scene: Scene | None) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""
-        state, self._drawing = self._drawing, None
+        if scene is None:
+            return None
+        state, scene.drawing = scene.drawing, None
         if state is not None:
             self.studio.uncover()
         return state

@@ -34,6 +34,8 @@ class Scene:
         """Why nothing can be styled here; empty when it can."""
         self.reader = StateReader()
         self.layer = LayerCollector()
+        self.drawing: DrawState | None = None
+        """State of the draw that is under way, if its polygons carry lines."""
         self.lists = ListBook()
         self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
