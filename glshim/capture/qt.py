@@ -82,7 +82,8 @@ def _painted(plain: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _swapping(plain: Callable[..., Any]) -> Callable[..., Any]:
-    @functools.wraps(plain)
+    # Not its docstring: PySide makes that when asked, and cannot while it is being imported.
+    @functools.wraps(plain, assigned=("__name__", "__qualname__"), updated=())
     def swap(this: Any, *arguments: Any) -> Any:
         return frames.present(plain, this, *arguments, on=_surface(*arguments, this))
 

@@ -140,6 +140,25 @@ def test_a_qt_program_that_swaps_by_itself(log: list[str]) -> None:
     assert log == ["(60, 40) in 7", "swapped"]
 
 
+def test_a_method_is_not_asked_for_its_docstring(log: list[str]) -> None:
+    class Method:  # as PySide's: its docstring cannot be made yet
+        __name__ = __qualname__ = "swapBuffers"
+
+        @property
+        def __doc__(self) -> str:  # type: ignore[override]
+            log.append("asked")
+            return ""
+
+        def __call__(self, context: Any, surface: Any) -> None:
+            log.append("swapped")
+
+    context = type("QOpenGLContext", (), {"swapBuffers": Method()})
+    hook_swaps(QOpenGLContext="swapBuffers")(  # type: ignore[arg-type]
+        SimpleNamespace(QOpenGLContext=context))
+    context().swapBuffers(Widget())
+    assert log == ["(60, 40) in 7", "swapped"]
+
+
 def test_wx(log: list[str]) -> None:
     def swap(canvas: Any) -> bool:
         log.append("swapped")
