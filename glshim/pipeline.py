@@ -81,6 +81,7 @@ class Pipeline:
             backend = self._backends.get(scene)
             if backend is None or not backend.alive():
                 backend = self._backends[scene] = Backend.attach()
+                scene.mark()
             backend.render(draws)
         except RenderError as error:
             scene.refused = str(error)

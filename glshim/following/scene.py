@@ -40,9 +40,15 @@ class Scene:
         self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
-        self._marker = 0 if self.refused else _mark()
+        self._marker = 0
         self._list_base = 0
         self._partial_lists = False
+
+    def mark(self) -> None:
+        """Leave a mark in the context, so that :attr:`stale` can tell. When the first layer ends:
+        until then nothing of ours is in it."""
+        if not self._marker:
+            self._marker = _mark()
 
     @property
     def stale(self) -> bool:

@@ -67,19 +67,20 @@ INSIDE: dict[str, Callable[[App], Any]] = {
 }
 
 
-@each({f"{name}-{count}": (call, count) for name, call in INSIDE.items() for count in (9, 150)})
-def called_inside(app: App, which: tuple[Callable[[App], Any], int]) -> None:
-    call, count = which
-    GL.glBegin(GL.GL_TRIANGLE_STRIP)
-    strip(count // 2)
-    app.tries(call, app)
-    strip(count, count // 2)
-    app.tries(GL.glEnd)
-    app.tries(GL.glColor3f, 0, 1, 0)
-    app.tries(GL.glBegin, GL.GL_TRIANGLES)
-    strip(6)
-    app.tries(GL.glEnd)
-    app.asks(GL.GL_CURRENT_COLOR, GL.GL_CURRENT_NORMAL)
+@each(INSIDE)
+def called_inside(app: App, call: Callable[[App], Any]) -> None:
+    for count in (9, 150, 9):
+        GL.glBegin(GL.GL_TRIANGLE_STRIP)
+        strip(count // 2)
+        app.tries(call, app)
+        strip(count, count // 2)
+        app.tries(GL.glEnd)
+        app.tries(GL.glColor3f, 0, 1, 0)
+        app.tries(GL.glBegin, GL.GL_TRIANGLES)
+        strip(6)
+        app.tries(GL.glEnd)
+        app.asks(GL.GL_CURRENT_COLOR, GL.GL_CURRENT_NORMAL)
+        GL.glTranslatef(0.3, 0.2, 0.1)
 
 
 @each({"enum": 99, "negative": -1, "float": 4.0, "str": "quads", "None": None, "list": [4],

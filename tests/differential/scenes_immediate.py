@@ -36,18 +36,18 @@ def shade(i: int) -> tuple[float, float, float]:
     return (i * 37 % 100 / 99.0, i * 61 % 100 / 99.0, i * 13 % 100 / 99.0)
 
 
-@each({f"{name}-{size}": (mode, size) for name, mode in (MODES | ADJACENT).items()
-       for size in SIZES})  # fmt: skip
-def every_mode(app: App, which: tuple[int, int]) -> None:
-    mode, size = which
+@each(MODES | ADJACENT)
+def every_mode(app: App, mode: int) -> None:
     GL.glPointSize(3.0)
-    app.tries(GL.glBegin, mode)
-    for i, (x, y, z) in enumerate(spiral(size)):
-        GL.glColor3f(*shade(i))
-        GL.glNormal3f(x, y, 1.0)
-        GL.glVertex3f(x, y, z)
-    app.tries(GL.glEnd)
-    app.error()
+    for tile, size in enumerate(SIZES):
+        GL.glViewport(tile % 6 * 16, tile // 6 * 24, 16, 24)
+        app.tries(GL.glBegin, mode)
+        for i, (x, y, z) in enumerate(spiral(size)):
+            GL.glColor3f(*shade(i))
+            GL.glNormal3f(x, y, 1.0)
+            GL.glVertex3f(x, y, z)
+        app.tries(GL.glEnd)
+        app.error()
 
 
 @each(MODES)
