@@ -32,7 +32,7 @@ from glshim.geometry.lines import FIN, LONE_RIDGE, RIDGE, RING
 Doubles = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-INSET = 1.0 / 128.0
+INSET = 1.0 / 48.0
 """Pixels by which a ring reaches under its object, so that no crack shows."""
 SNAP = 1.0 / 256.0
 """Pixels added to the width against what rasterisation rounds away."""
@@ -65,7 +65,7 @@ def strips(
     records: (L, 15) as `glshim.geometry.lines.choose` gives them. Widths in pixels (that of a
     ridge is one quad's, half of the visible line), ridge_angle in radians, hair in normalised
     device depth, positive away from the viewer. spines: whether fragments of rings and fins look
-    up at their spine, beside the side, whether they are seen. The six vertices: a out, a, b out,
+    up, in the pixel beside the side, whether they are seen. The six vertices: a out, a, b out,
     b, tip of the corner, next side's b out. A strip that is not drawn has undefined vertices.
     """
     rows = records.astype(np.float64)

@@ -264,6 +264,7 @@ class Backend:
         program.set("range", range_)
         program.set("spines", spines)
         program.set("finished_depth", UNIT)
+        program.set("blur", self._depth.blur)
         for key, value in uniforms.items():
             program.set(key, value)
         return program

@@ -23,6 +23,8 @@ class DepthCopy:
     """A texture that holds a viewport's depth. Make and use it inside the state guard."""
 
     def __init__(self) -> None:
+        self.blur = 0.0
+        """Pixels by which depths may not be those of pixel centres: samples lie elsewhere."""
         self._texture = self._framebuffer = 0
         self._size = (0, 0)
         self._format = 0
@@ -34,6 +36,7 @@ class DepthCopy:
         x, y, width, height = viewport
         source = _integer(_DRAW_BINDING)
         several = _integer(_SAMPLE_BUFFERS) > 0
+        self.blur = 0.5 if several else 0.0
         self._make(width, height, _format(bits, _integer(_STENCIL_BITS)) if several else _DEPTH_24)
         gl.glBindFramebuffer(_READ, source)
         if not several:

@@ -11,8 +11,10 @@ uniform float ridge_width;      // of one quad, half of the visible line
 uniform vec2 ridge_turn;        // cosine and sine of the threshold angle
 
 noperspective out vec3 spine;   // where the line's visibility is decided: pixels, window depth
-flat out vec3 spine_again;      // way to a second place that may be seen instead
-flat out float spine_asked;     // 0 where depth alone decides
+flat out vec2 spine_slope;      // window depth a pixel on the line's plane
+flat out vec2 spine_out;        // outwards from the side, unit
+flat out float spine_free;      // widths about the corner within which depth alone decides
+flat out int spine_places;      // places to ask at, one seen is enough; 0: depth alone decides
 flat out float spine_slack;     // window depth by which the spine may lie behind what is drawn
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
@@ -24,7 +26,6 @@ const float LONGEST_TIP = 3.0;  // widths
 const float STEEP = 0.2;       // cosine to the line of sight of the flattest plane a ring follows
 const float LIFT = 0.5;         // pixels' worth of depth by which a line wins over its plane
 const float LEAN = 1.0;         // pixels by which a line that is seen comes nearer in each pixel
-const float SPINE = 0.75;       // pixels outside the side
 
 // Depth (ndc, + is away) against a side's own at a place whose depth on the line's plane is deeper
 // and on the plane that leans towards the viewer nearer; lift: LIFT pixels' worth of depth.
@@ -57,8 +58,9 @@ void main() {
     gl_Position = NOWHERE;
     reach = vec2(0.0);
     spine = vec3(0.0);
-    spine_again = vec3(0.0);
-    spine_slack = spine_asked = 0.0;
+    spine_slope = spine_out = vec2(0.0);
+    spine_slack = spine_free = 0.0;
+    spine_places = 0;
     int kind = int(edge_kind.x);
     bool ridge = kind == RIDGE || kind == LONE_RIDGE;
     float width = ridge ? ridge_width : silhouette_width;
@@ -130,17 +132,18 @@ void main() {
     gl_Position = vec4(place, clamp(clip.z + depth * clip.w, -clip.w, clip.w), clip.w);
 
     if (spines && kind != LONE_RIDGE && !(kind == RIDGE && ridge_turn.y < 0.0)) {
-        vec2 rise = slope_1, beside = kind == RIDGE ? vec2(0.0) : (follows ? 0.5 : SPINE) * out_1;
-        if (kind == RING && !follows) {
+        spine_slope = slope_1;
+        if (kind == RING && !follows) {  // level across
             float length_ab = max(length(pixel_b - pixel_a), 1e-3);
-            rise = (clip_b.z / clip_b.w - clip_a.z / clip_a.w) / length_ab * along;
+            spine_slope = (clip_b.z / clip_b.w - clip_a.z / clip_a.w) / length_ab * along;
         }
         float window = 0.5 * (range.y - range.x);
-        spine = vec3(pixels(clip) + beside, clip.z / clip.w + dot(rise, beside));
-        spine = vec3(spine.xy + half_viewport, spine.z * window + 0.5 * (range.x + range.y));
-        bool again = kind == FIN || (kind == RING && !follows);
-        spine_again = again ? vec3(out_1, dot(rise, out_1) * window) : vec3(0.0);
-        spine_asked = 1.0;
+        spine.xy = pixels(clip) + half_viewport;
+        spine.z = clip.z / clip.w * window + 0.5 * (range.x + range.y);
+        spine_slope *= window;
+        spine_out = out_1;
+        spine_places = kind == FIN || (kind == RING && !follows) ? 2 : 1;
+        spine_free = kind == RING && corner > 3 ? 1.5 / reached : 0.0;
         spine_slack = kind == RIDGE ? pixel_deep : 0.25 * lift;
         spine_slack = abs(window) * (kind == FIN ? -0.5 * pixel_deep : spine_slack + abs(hair));
     }
