@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from OpenGL import GL
 from OpenGL.raw.GL.VERSION import GL_1_0 as raw
 
+from glshim.capture.forward import list_open
 from tests.differential.world import App
 
 Step = tuple[Any, ...]
@@ -104,8 +105,7 @@ def _step(colours: tuple[st.SearchStrategy[Step], ...]) -> st.SearchStrategy[Ste
         st.tuples(st.just("glReadPixels"), st.just(0), st.just(0), st.just(3), st.just(3),
                   st.just(GL.GL_RGB), st.just(GL.GL_UNSIGNED_BYTE)),
     )  # fmt: skip
-    # Plain Mesa 22.3 crashes on a list called inside a primitive while one is compiled and run.
-    inner = st.one_of(primitive(), attribute, state)
+    inner = st.one_of(calling, attribute, state)
     recorded = st.tuples(st.just("list"), _LIST, st.sampled_from((0x1300, 0x1301)),
                          st.lists(inner, max_size=6))  # fmt: skip
     return st.one_of(calling, calling, attribute, state, draw, recorded)
@@ -142,6 +142,8 @@ def _say(app: App, step: Step) -> Any:
 
 
 def _primitive(app: App, mode: int, body: list[Step], times: int, strange: Step | None) -> None:
+    if strange is not None and strange[0] == "glCallList" and list_open():
+        strange = None  # plain Mesa 22.3 crashes on it
     GL.glBegin(mode)
     for _ in range(times):
         for step in body:
