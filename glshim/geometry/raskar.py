@@ -32,7 +32,7 @@ from glshim.geometry.lines import FIN, LONE_RIDGE, RIDGE, RING
 Doubles = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-INSET = 1.0 / 48.0
+INSET = 1.0 / 128.0
 """Pixels by which a ring reaches under its object, so that no crack shows."""
 SNAP = 1.0 / 256.0
 """Pixels added to the width against what rasterisation rounds away."""
@@ -188,9 +188,10 @@ def _biased(  # noqa: PLR0917
     if spines:
         level = np.maximum(np.sqrt(np.maximum(1.0 - turned**2, 0.0)), 0.05)
         pixel_deep = steep * np.abs(turned) / level
-        nearer = -LEAN * pixel_deep * np.maximum(outwards, 0.0)
+        nearer = -LEAN * pixel_deep * outwards
         follows = (kind == RING) & (np.abs(turned) > STEEP)
-        found = np.where(follows, deeper - lift - grain, nearer + 2.0 * grain)
+        found = np.where(nearer < 0.0, nearer + 2.0 * grain, found)
+        found = np.where(follows, deeper - lift - grain, found)
     found = np.where(kind == LONE_RIDGE, deeper + grain, found)
     return away * np.where(kind == RIDGE, np.minimum(deeper, 0.0) - lift - grain, found)
 

@@ -18,7 +18,7 @@ flat out int spine_places;      // places to ask at, one seen is enough; 0: dept
 flat out float spine_slack;     // window depth by which the spine may lie behind what is drawn
 noperspective out vec2 reach;   // place along and across the line in widths; ink ends at length 1
 
-const float INSET = 1.0 / 128.0;// pixels by which a ring reaches under its object, for no cracks
+const float INSET = 1.0 / 128.0; // pixels by which a ring reaches under its object, for no cracks
 const float SNAP = 1.0 / 256.0;  // pixels, against what rasterisation rounds away
 const float EDGE_ON = 0.02;     // ridge quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;    // cosine between a fin and the line of sight
@@ -34,8 +34,7 @@ float biased(int kind, float deeper, float nearer, float lift, bool follows) {
     if (kind == RIDGE) return min(deeper, 0.0) - lift - grain;
     if (kind == LONE_RIDGE) return deeper + grain;
     if (follows) return deeper - lift - grain;
-    if (spines) return nearer + 2.0 * grain;
-    return max(deeper, 0.0) + 2.0 * grain;
+    return (nearer < 0.0 ? nearer : max(deeper, 0.0)) + 2.0 * grain;
 }
 
 // Normal of the plane that the line beside a side lies in. Eye space, all unit; sight is the
@@ -125,7 +124,7 @@ void main() {
     float lift = LIFT * steep * flatness;
     float pixel_deep = steep * abs(turned) / max(sqrt(max(1.0 - turned * turned, 0.0)), 0.05);
     bool follows = kind == RING && spines && abs(turned) > STEEP;
-    float nearer = corner < 4 ? -LEAN * pixel_deep * max(dot(offset, out_1), 0.0) : 0.0;
+    float nearer = spines && corner < 4 ? -LEAN * pixel_deep * dot(offset, out_1) : 0.0;
     float depth = away * biased(kind, away * dot(slope, offset), nearer, lift, follows);
     clip_as_the_app(corner < 2 ? mix(eye_a, eye_b, cut_a) : mix(eye_b, eye_a, cut_b));
     vec2 place = clip.xy + offset / half_viewport * clip.w;
