@@ -16,6 +16,7 @@ from .following.scene import Scene, integer, say_unstyled
 from .notices import say_fault
 from .render.backend import Backend
 from .render.surface import Surface
+from .spec.driver import current_context
 from .styling.protocol import Layer, Styler
 
 _DOUBLE_BUFFER = 0x0C32
@@ -28,7 +29,6 @@ class Pipeline:
         self.styler = styler
         self._surface = Surface(styler.surface)
         self._follower = Follower(self)
-        self._backends: dict[Scene, Backend] = {}
         self._broken = False
 
     # -- life ------------------------------------------------------------------------------------
@@ -78,11 +78,8 @@ class Pipeline:
         if not draws:
             return
         try:
-            backend = self._backends.get(scene)
-            if backend is None or not backend.alive():
-                backend = self._backends[scene] = Backend.attach()
-                scene.mark()
-            backend.render(draws)
+            scene.mark()
+            _backend().render(draws)
         except RenderError as error:
             scene.refused = str(error)
             say_unstyled(str(error))
@@ -95,6 +92,17 @@ class Pipeline:
 
 
 _current: Pipeline | None = None
+_backends: dict[int, Backend] = {}
+"""By context. They outlive a style: switching styles makes no new buffers and programs."""
+
+
+def _backend() -> Backend:
+    """The current context's backend."""
+    handle = current_context()
+    backend = _backends.get(handle)
+    if backend is None or not backend.alive():
+        backend = _backends[handle] = Backend.attach()
+    return backend
 
 
 def install(style: str | Styler) -> None:
