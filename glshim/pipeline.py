@@ -78,8 +78,7 @@ class Pipeline:
         if not draws:
             return
         try:
-            scene.mark()
-            _backend().render(draws)
+            _backend(scene).render(draws)
         except RenderError as error:
             scene.refused = str(error)
             say_unstyled(str(error))
@@ -92,16 +91,20 @@ class Pipeline:
 
 
 _current: Pipeline | None = None
-_backends: dict[int, Backend] = {}
-"""By context. They outlive a style: switching styles makes no new buffers and programs."""
+_backends: dict[int, tuple[Scene, Backend]] = {}
+"""By context, with the scene that each was made for, which knows when its context is gone. They
+outlive a style: switching styles makes no new buffers and programs."""
 
 
-def _backend() -> Backend:
+def _backend(scene: Scene) -> Backend:
     """The current context's backend."""
     handle = current_context()
-    backend = _backends.get(handle)
-    if backend is None or not backend.alive():
-        backend = _backends[handle] = Backend.attach()
+    # Asked before the new scene leaves its mark: in another context that may have the same name.
+    owner, backend = _backends.get(handle, (scene, None))
+    if backend is None or owner.stale:
+        backend = Backend.attach()
+        _backends[handle] = scene, backend
+    scene.mark()
     return backend
 
 

@@ -53,7 +53,6 @@ class Watch:
     def __init__(self) -> None:
         self._watcher: Watcher | None = None
         self._makers: dict[str, Maker] = {}
-        self._list_makers: dict[str, Maker] = {}
 
     def install(self) -> None:
         """The hooks that the recorder needs for itself."""

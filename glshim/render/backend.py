@@ -113,11 +113,6 @@ class Backend:
             except Exception as error:
                 raise RenderError(f"no drawing in this context ({text}): {error}") from error
 
-    def alive(self) -> bool:
-        """Whether the current context is still the one that this was made in: a toolkit may have
-        destroyed it and made another at the same address."""
-        return bool(gl.glIsVertexArray(self._array))
-
     def render(self, draws: Iterable[Draw]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 

@@ -25,7 +25,6 @@ SIGNATURES: dict[str, str] = {
     "glGetFloatv": "up", "glGetIntegerv": "up", "glGetBooleanv": "up", "glGetDoublev": "up",
     "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
     "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
-    "glGetTexLevelParameteriv": "uiup", "glGetFramebufferAttachmentParameteriv": "uuup",
     "glGetVertexAttribiv": "uup", "glGetMapiv": "uup", "glGetMapfv": "uup",
     # immediate mode
     "glBegin": "u", "glEnd": "",
@@ -45,16 +44,15 @@ SIGNATURES: dict[str, str] = {
     "glMatrixMode": "u", "glPushMatrix": "", "glPopMatrix": "", "glLoadIdentity": "",
     "glLoadMatrixf": "p", "glOrtho": "dddddd", "glViewport": "iiii", "glDepthRange": "dd",
     "glActiveTexture": "u", "glGenTextures": "ip", "glBindTexture": "uu",
-    "glDeleteTextures": "ip", "glTexImage2D": "uiiiiiuup", "glTexGeni": "uui",
-    "glTexParameteri": "uui", "glPolygonMode": "uu", "glCallList": "u",
+    "glTexImage2D": "uiiiiiuup", "glTexParameteri": "uui", "glPolygonMode": "uu", "glCallList": "u",
     "glRenderMode": "u>i", "glFeedbackBuffer": "iup", "glPixelStorei": "ui",
     "glReadPixels": "iiiiuup", "glReadBuffer": "u", "glBindFramebuffer": "uu",
-    "glFinish": "", "glBlendFunc": "uu", "glDepthMask": "b", "glLoadMatrixd": "p",
+    "glFinish": "", "glDepthMask": "b", "glLoadMatrixd": "p",
     # small programs of our own in the app's compatibility context
     "glCreateProgram": ">u", "glCreateShader": "u>u", "glShaderSource": "uipp",
     "glCompileShader": "u", "glAttachShader": "uu", "glLinkProgram": "u",
     "glGetUniformLocation": "up>i", "glIsVertexArray": "u>b", "glUniform4f": "iffff",
-    "glDeleteShader": "u",     "glGetProgramiv": "uup",
+    "glDeleteShader": "u", "glGetProgramiv": "uup",
 }  # fmt: skip
 
 

@@ -46,3 +46,22 @@ def test_styles_switched_often_make_no_new_buffers(window: None) -> None:
     assert int(GL.glGenBuffers(1)) - before == 1
     glshim.uninstall()
     assert frame() == plain
+
+
+def test_a_new_context_at_an_old_address_gets_a_backend_of_its_own() -> None:
+    """The app's own vertex array objects there have the names that ours had in the old one."""
+    pictures = set()
+    for _ in range(6):
+        pygame.display.init()
+        pygame.display.set_mode((64, 64), pygame.OPENGL | pygame.DOUBLEBUF)
+        GL.glEnable(GL.GL_DEPTH_TEST)
+        for name in GL.glGenVertexArrays(8):
+            GL.glBindVertexArray(int(name))
+        GL.glBindVertexArray(0)
+        plain = frame()
+        glshim.install("raskar:ink=#ff0000")
+        pictures.add(frame())
+        assert plain not in pictures
+        glshim.uninstall()
+        pygame.display.quit()
+    assert len(pictures) == 1
