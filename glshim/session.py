@@ -24,9 +24,7 @@ def begin(folder: str) -> None:
     if settings.capture is not None:
         from glshim.render.framegrab import FrameWriter
 
-        writer = FrameWriter(
-            settings.capture, frames.drawable_size, frames.drawable_framebuffer
-        )
+        writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
     if settings.frames is not None:
         FrameLimit(settings.frames).install()

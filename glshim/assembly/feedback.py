@@ -211,9 +211,9 @@ def _object_space(
         return np.empty((0, corners, 3), np.float32)
     window = np.concatenate(parts).astype(np.float64)
     scale = np.array([2.0 / _SIDE, 2.0 / _SIDE, -2.0])
-    space: NDArray[np.float32] = (
-        (window * scale + np.array([-1.0, -1.0, 1.0])) * radius
-    ).astype(np.float32)
+    space: NDArray[np.float32] = ((window * scale + np.array([-1.0, -1.0, 1.0])) * radius).astype(
+        np.float32
+    )
     return space
 
 

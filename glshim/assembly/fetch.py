@@ -68,9 +68,7 @@ class VertexFetch:
         kept = self._kept.get(key) if key is not None else None
         if kept is not None:
             return kept
-        parts = [
-            self._part(mode, pointer, indices) for indices in _index_runs(signature, values)
-        ]
+        parts = [self._part(mode, pointer, indices) for indices in _index_runs(signature, values)]
         batch = concatenate([p for p in parts if len(p.corners)], key)
         if key is not None:
             self._kept.put(key, batch, batch.positions.nbytes + batch.corners.nbytes)

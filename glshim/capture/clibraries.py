@@ -126,9 +126,7 @@ class CLibraries:
         self._settings.setdefault(_address(args[0]), {})[name] = int(args[1])
         return result
 
-    def _nurbs_part(
-        self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
-    ) -> Any:
+    def _nurbs_part(self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
         if self._watcher is not None:
             if role is ShapeRole.NURBS_OPEN:
                 self._surface = []

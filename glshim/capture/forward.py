@@ -193,9 +193,7 @@ def _period(tags: NDArray[np.int32]) -> int:
     return period if regular else 0
 
 
-def _draw_regular(
-    mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int
-) -> bool:
+def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int) -> bool:
     """The stream is an interleaved array as it stands: nothing is copied."""
     stride = len(tags) * RECORD_BYTES
     count = len(stream) // stride

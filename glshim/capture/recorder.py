@@ -98,9 +98,7 @@ class Recorder:
             place(name, None)
         self._set.clear()
 
-    def _make(
-        self, quick_begin: bool, careful: bool
-    ) -> tuple[dict[str, Maker], dict[str, Maker]]:
+    def _make(self, quick_begin: bool, careful: bool) -> tuple[dict[str, Maker], dict[str, Maker]]:
         """Makers by name for the raw layer and for the wrappers.
 
         They are closures over shared cells: the fastest state that pure Python offers. When

@@ -218,5 +218,3 @@ def integer(name: int) -> int:
     value = ctypes.c_int(0)
     gl.glGetIntegerv(name, ctypes.byref(value))
     return value.value
-
-

@@ -35,12 +35,11 @@ class Edges:
     """The true sides of the sound polygons of a batch. Object space.
 
     A side has its own polygon only; `pairs`, `crowds` and `singles` tell which sides lie on the
-    same edge. Lines are drawn from each side alone; neighbours serve to leave out at once what
-    they would hide in the end, whatever their winding.
+    same edge, whatever the windings.
     """
 
     sides: Floats
-    """(E, 9): from ``a`` to ``b``, and the polygon's next corner ``c``, where the line turns."""
+    """(E, 6): from ``a`` to ``b``, as the polygon winds."""
     polygon: NDArray[np.int32]
     """(E,) row in planes of the side's polygon."""
     planes: Doubles
@@ -180,17 +179,18 @@ def _edges(
             owners.append(objects[np.flatnonzero(sizes == size)[part[3]]])
         done += len(part[2])
     if not parts:
-        parts.append((np.empty((0, 9), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
+        parts.append((np.empty((0, 6), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
     sides, polygon, planes = (
         parts[0] if len(parts) == 1 else (np.concatenate(a) for a in zip(*parts, strict=True))
     )
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
-    neighbours = _neighbours(sides, owner[polygon] if len(owner) else None)
-    return Edges(sides, polygon, planes, *neighbours), owner
+    met = neighbours(sides, owner[polygon] if len(owner) else None)
+    return Edges(sides, polygon, planes, *met), owner
 
 
-def _neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:
-    """The fields order, first and forward of `Edges`.
+def neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:
+    """The fields order, first and forward of `Edges`, of sides (E, 6) in one space; those of
+    unlike owners (E,) keep apart.
 
     Ends count as one when they fall into the same cell. Those that rounding parted (a seam
     computed twice) are looked for again in coarser cells that begin elsewhere.
@@ -289,19 +289,16 @@ def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32],
     planes = np.empty((count, 4))
     np.divide(normal, length[:, None], out=planes[:, :3])
     planes[:, 3] = -np.einsum("pi,pi->p", planes[:, :3], centre)
-    # Each side reads three corners in a row: overlapping views of the corners, two repeated.
-    rows = np.concatenate((points, points[:, :2]), axis=1)
-    sides = np.array(sliding_window_view(rows.reshape(count, 3 * size + 6), 9, axis=1)[:, ::3])
+    # Each side reads two corners in a row: overlapping views of the corners, the first repeated.
+    rows = np.concatenate((points, points[:, :1]), axis=1)
+    sides = np.array(sliding_window_view(rows.reshape(count, 3 * size + 3), 6, axis=1)[:, ::3])
     step = points - rows[:, 1 : size + 1]
     limit = grain.astype(np.float32)[:, None]
     still = (np.abs(step[..., 0]) <= limit) & (np.abs(step[..., 1]) <= limit)
     still &= np.abs(step[..., 2]) <= limit
-    if still.any():  # a repeated corner: the line turns at the next distinct one
-        turn = np.roll(still, -1, axis=1)
-        sides[turn, 6:9] = np.roll(points, -3, axis=1)[turn]
     keep = (flags & ~still).ravel()
     polygon = np.repeat(np.arange(count, dtype=np.int32), size)
-    flat = sides.reshape(-1, 9)
+    flat = sides.reshape(-1, 6)
     if not keep.all():
         flat, polygon = flat[keep], polygon[keep]
     return flat, polygon, planes, sound

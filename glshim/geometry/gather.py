@@ -21,6 +21,11 @@ class Places:
     modelviews: Doubles
     """(M, 4, 4) affine, object space to eye space."""
 
+    @classmethod
+    def one(cls, modelview: Doubles, polygons: int) -> Places:
+        """All polygons under one modelview (4, 4)."""
+        return cls(np.zeros(polygons, np.int32), modelview[None])
+
     def centres(self, camera: Camera) -> Doubles:
         """(M, 4) the camera's `Camera.object_centre` under each modelview.
 

@@ -2,28 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.edges import Doubles, Edges, Flags, Indices
+from glshim.geometry.chains import link
+from glshim.geometry.edges import Doubles, Edges, Flags, Indices, neighbours
 from glshim.geometry.gather import Places
 
-RING, RIDGE, LONE_RIDGE, FIN = range(4)
-"""Kinds of line. RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1).
-RIDGE: the quad at the threshold angle, where the neighbour is known to fold below it (2.2).
-LONE_RIDGE: that quad where no neighbour is known: depth decides. FIN: a ring that leans back so
-steeply that nearly every surface near the edge hides it. It outlines open sides, where a neighbour
-may be there after all (a seam, a T-junction, the next batch), and folds that are hollow on the
-winding side: hidden in a solid, visible in a sheet or where the windings are inside out."""
+Floats = NDArray[np.float32]
 
-RECORD = 15
-"""Floats of one record: a, b, c (3 each), plane (4), kind, winding in the window (+1 or -1)."""
+RING, CONTOUR, HOLLOW, FIN, RIDGE, LONE_RIDGE, VALLEY, LONE_VALLEY, INTERSECTION = range(9)
+OUTLINES = (RING, CONTOUR, HOLLOW, FIN)
+"""Kinds of line. RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1), in the
+polygon's plane: at the foot of a box it lies on the floor. CONTOUR: the same where the surface turns
+away smoothly: the polygon's plane, steep on the screen, says nothing about what lies beside it, so the
+line is as deep as its side. HOLLOW: the same where the fold is hollow on the winding side: hidden in a
+solid, seen in a sheet or where the windings are inside out, so only well before what lies behind it.
+RIDGE, VALLEY: an edge whose two polygons are known to fold below or above the threshold.
+LONE_RIDGE (2.2), LONE_VALLEY (2.3): the quad at the threshold angle, where no neighbour is known:
+depth decides. FIN: a ring that leans back so steeply that nearly every surface near the edge hides
+it. It outlines open sides, where a neighbour may be there after all (a seam, a T-junction).
+INTERSECTION: where two polygons pass through each other (2.4)."""
 
+RECORD = 17
+"""Floats of one record, eye space: a, b, c (3 each; the own polygon lies left of a to b in the
+window, c is where an outline goes on from b, or b), unit normals of the own and of the other polygon
+(3 each; the other's is zero where none is known), kind, pixels along the stroke at a."""
+
+_SHARP = np.radians(150.0)
+"""Greatest dihedral angle at which a contour is a sharp edge."""
 _ANGLE_GRAIN = 1e-3
 """Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
+
+_Found = list[tuple[int, Indices, Indices | None]]
+"""Lines of a kind: their sides, and the other polygon's sides on the same edges."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,85 +49,198 @@ class Choice:
     silhouettes: bool
     ridge_angle: float | None
     """Greatest dihedral angle of a ridge in radians, or None for no ridges."""
+    valley_angle: float | None = None
+    """Dihedral angle in radians above which an edge is a valley, or None for no valleys."""
+    intersections: bool = False
+    connectivity: bool = True
+    """Whether neighbours are looked for. Without, depth alone decides, as in the paper."""
+    strokes: bool = False
+    """Whether the pixels along a stroke (the last float of a record) are wanted."""
 
 
-def choose(
-    edges: Edges, camera: Camera, choice: Choice, places: Places | None = None
-) -> NDArray[np.float32]:
-    """(L, 15) float32 records of the lines to draw, object space; see `RECORD`.
+def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice) -> Floats:
+    """(L, 17) float32 records of the lines to draw, eye space; see `RECORD`. All but intersections.
 
-    With places, parts that stand each in its own: the camera's modelview counts for nothing, and
-    the records are in eye space.
-
-    Per side, as in the paper: a ring where its polygon is back-facing, a ridge quad where it is
-    front-facing. Where another side lies on the same edge, what that polygon hides anyway is
-    left out: a ring stays only where all polygons of the edge lie on one side of it in the
-    window (the occluding contour, whatever the windings), a ridge only where they lie on both
-    and fold at most by the threshold.
+    The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
+    polygon is back-facing, a quad where it is front-facing. Where another side lies on the same edge,
+    what that polygon hides anyway is left out: a ring stays only where all polygons of the edge
+    lie on one side of it in the window (the occluding contour, whatever the windings), a ridge or
+    a valley only where they lie on both. Sides that find no neighbour in their own part look for
+    one in the others, in eye space: how an app cuts its polygons into objects does not matter.
     """
-    if places is None:
-        ccw = edges.planes @ camera.object_centre > 0.0
-    else:
+    several = choice.connectivity and sum(len(places.modelviews) for _, places in parts) > 1
+    records: list[Floats] = []
+    lone: list[Edges] = []
+    for edges, places in parts:
+        seen = _Seen(edges, places, camera)
+        if not choice.connectivity:
+            everything = np.arange(len(edges), dtype=np.intp)
+            records.append(seen.records(_alone(everything, seen, choice)))
+            continue
+        found = _together(edges, seen, choice)
+        if several:
+            lone.append(seen.moved(edges.singles))
+        else:
+            found += _alone(edges.singles, seen, choice)
+        records.append(seen.records(found))
+    if lone and sum(map(len, lone)):
+        seams = _seams(lone)
+        seen = _Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
+        found = _together(seams, seen, choice) + _alone(seams.singles, seen, choice)
+        records.append(seen.records(found))
+    whole = np.concatenate(records) if records else np.empty((0, RECORD), np.float32)
+    outlines = np.flatnonzero(np.isin(whole[:, 15], OUTLINES))
+    if len(outlines):
+        following = link(whole[outlines, 0:3], whole[outlines, 3:6])
+        goes_on = following >= 0
+        whole[outlines[goes_on], 6:9] = whole[outlines[following[goes_on]], 3:6]
+    return whole
+
+
+class _Seen:
+    """The sides of one `Edges` as a camera sees them."""
+
+    def __init__(self, edges: Edges, places: Places, camera: Camera) -> None:
+        self.edges, self._places, self._camera = edges, places, camera
         centres = places.centres(camera)[places.polygon]
         ccw = np.einsum("pi,pi->p", edges.planes, centres) > 0.0
-    ccw_side = ccw[edges.polygon]
-    front = ccw_side == camera.front_ccw
-    left = ccw_side == edges.forward
-    found: list[tuple[int, Indices]] = []
-    ridges = choice.ridge_angle is not None and choice.ridge_angle > 0.0
+        self.ccw: Flags = ccw[edges.polygon]
+        """(E,) whether the side's polygon winds counter-clockwise in the window."""
+        self.front: Flags = self.ccw == camera.front_ccw
+        self.left: Flags = self.ccw == edges.forward
+        """(E,) on which side of its edge, as it runs, the polygon lies in the window."""
 
-    singles = edges.singles
-    ahead = front[singles]
+    def folds(self, first: Indices, second: Indices, folds: Doubles) -> Doubles:
+        """Dihedral angles (radians, eye space) of pairs of sides as the viewer sees them; folds
+        are those in object space, from the winding side of first."""
+        places = self._places
+        owner = places.polygon[self.edges.polygon[first]]
+        flipped = places.mirrored(self._camera)[owner]
+        skewed = ~_are_similarities(places.modelviews)[owner]
+        if skewed.any():
+            folds = folds.copy()
+            linear = places.modelviews[owner[skewed], :3, :3]
+            folds[skewed] = self.edges.fold(first[skewed], second[skewed], linear)
+            plainly = np.linalg.det(self._camera.projection) > 0.0
+            flipped = np.where(skewed, plainly, flipped)
+        return np.where(self.ccw[first] != flipped, folds, 2.0 * np.pi - folds)
+
+    def moved(self, sides: Indices) -> Edges:
+        """Some sides in eye space, each with its plane, not yet knowing each other."""
+        ends, normals = self._ends(sides), self._normals(sides)
+        planes = np.c_[normals, -np.einsum("li,li->l", normals, ends[:, 0])]
+        nothing = np.empty(0, np.intp)
+        return Edges(
+            ends.reshape(-1, 6), np.arange(len(sides), dtype=np.int32), planes,
+            nothing, nothing, np.empty(0, np.bool_),
+        )  # fmt: skip
+
+    def records(self, found: _Found) -> Floats:
+        """Records of lines, see `RECORD`."""
+        count = sum(len(sides) for _, sides, _ in found)
+        records = np.empty((count, RECORD), np.float32)
+        if not count:
+            return records
+        sides = np.concatenate([sides for _, sides, _ in found])
+        ends, normals = self._ends(sides), self._normals(sides)
+        turned = ~self.ccw[sides]
+        ends[turned] = ends[turned, ::-1]
+        normals[turned] *= -1.0
+        records[:, 0:6] = ends.reshape(-1, 6)
+        records[:, 6:9] = ends[:, 1]
+        records[:, 9:12] = normals
+        records[:, 12:15] = 0.0
+        records[:, 16] = 0.0
+        at = 0
+        for kind, some, others in found:
+            part = slice(at, at + len(some))
+            records[part, 15] = kind
+            if others is not None:
+                records[part, 12:15] = self._normals(others)
+            at += len(some)
+        return records
+
+    def _ends(self, sides: Indices) -> Floats:
+        """(N, 2, 3) both ends in eye space."""
+        places, owner = self._places, self._owners(sides)
+        ends = self.edges.sides[sides].reshape(-1, 2, 3).astype(np.float64)
+        turn = places.modelviews[:, :3, :3].transpose(0, 2, 1)
+        if len(turn) == 1:
+            return np.asarray(ends @ turn[0] + places.modelviews[0, :3, 3], np.float32)
+        return np.asarray(ends @ turn[owner] + places.modelviews[owner, None, :3, 3], np.float32)
+
+    def _normals(self, sides: Indices) -> Doubles:
+        """(N, 3) unit normals in eye space."""
+        normals = self.edges.planes[self.edges.polygon[sides], :3, None]
+        turn = cofactors(self._places.modelviews)
+        moved = (turn[0] @ normals if len(turn) == 1 else turn[self._owners(sides)] @ normals)[
+            ..., 0
+        ]
+        length = np.sqrt(np.einsum("li,li->l", moved, moved))
+        return np.asarray(moved / np.maximum(length, 1e-300)[:, None])
+
+    def _owners(self, sides: Indices) -> NDArray[np.int32]:
+        return self._places.polygon[self.edges.polygon[sides]]
+
+
+def _alone(sides: Indices, seen: _Seen, choice: Choice) -> _Found:
+    """Lines of sides that know no neighbour."""
+    found: _Found = []
+    ahead = sides[seen.front[sides]]
     if choice.silhouettes:
-        found.append((FIN, singles))
-    if ridges:
-        found.append((LONE_RIDGE, singles[ahead]))
+        found.append((FIN, sides, None))
+    if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
+        found.append((LONE_RIDGE, ahead, None))
+    if choice.valley_angle is not None:
+        found.append((LONE_VALLEY, ahead, None))
+    return found
 
+
+def _together(edges: Edges, seen: _Seen, choice: Choice) -> _Found:
+    """Lines of edges with two and more sides."""
+    found: _Found = []
     first, second = edges.pairs
-    across = left[first] != left[second]
+    across = seen.left[first] != seen.left[second]
     if choice.silhouettes:
         one, other = first[~across], second[~across]
-        behind = ~front[one], ~front[other]
-        found.append((RING, one[behind[0] | ~behind[1]]))
-        found.append((RING, other[behind[1]]))
-    if choice.ridge_angle is not None and ridges:
-        fold = _seen_folds(edges, camera, across, ccw_side, places)
-        sharp = np.flatnonzero(across)[fold <= choice.ridge_angle + _ANGLE_GRAIN]
-        found += [(RIDGE, first[sharp]), (RIDGE, second[sharp])]
+        # One ring an edge, from a back-facing polygon if it has one.
+        from_behind = np.where(seen.front[one], other, one)
+        folds = edges.folds[~across]
+        sharp, hollow = folds <= _SHARP, folds > np.pi
+        for kind, which in ((RING, sharp), (CONTOUR, ~sharp & ~hollow), (HOLLOW, hollow)):
+            found.append((kind, from_behind[which], None))
+    if choice.ridge_angle is not None or choice.valley_angle is not None:
+        one, other = first[across], second[across]
+        folds = seen.folds(one, other, edges.folds[across])
+        if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
+            sharp = folds <= choice.ridge_angle + _ANGLE_GRAIN
+            found.append((RIDGE, one[sharp], other[sharp]))
+        if choice.valley_angle is not None:
+            deep = folds > choice.valley_angle + _ANGLE_GRAIN
+            found.append((VALLEY, one[deep], other[deep]))
 
     sides, edge = edges.crowds
     if len(sides):
         total = np.bincount(edge)
-        lefts = np.bincount(edge, left[sides])
+        lefts = np.bincount(edge, seen.left[sides])
         contour = ((lefts == 0) | (lefts == total))[edge]
         if choice.silhouettes:
-            none_behind = (np.bincount(edge, ~front[sides]) == 0)[edge]
-            found.append((RING, sides[contour & (~front[sides] | none_behind)]))
-        if ridges:
-            found.append((LONE_RIDGE, sides[~contour & front[sides]]))
-    return _records(edges, found, ccw_side, places)
+            none_behind = (np.bincount(edge, ~seen.front[sides]) == 0)[edge]
+            found.append((CONTOUR, sides[contour & (~seen.front[sides] | none_behind)], None))
+        inner = sides[~contour & seen.front[sides]]
+        if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
+            found.append((LONE_RIDGE, inner, None))
+        if choice.valley_angle is not None:
+            found.append((LONE_VALLEY, inner, None))
+    return found
 
 
-def _seen_folds(
-    edges: Edges, camera: Camera, across: Flags, ccw: Flags, places: Places | None
-) -> Doubles:
-    """Dihedral angles (radians, eye space) as the viewer sees them, of the pairs in across."""
-    first, second = (sides[across] for sides in edges.pairs)
-    fold, flipped = edges.folds[across], np.array(camera.mirrored)
-    modelviews = camera.modelview[None] if places is None else places.modelviews
-    skewed = ~_are_similarities(modelviews)
-    plainly = np.array(np.linalg.det(camera.projection) > 0.0)
-    if places is not None:
-        owner = places.polygon[edges.polygon[first]]
-        flipped = places.mirrored(camera)[owner]
-        skewed = skewed[owner]
-        if skewed.any():
-            linear = places.modelviews[owner[skewed], :3, :3]
-            fold[skewed] = edges.fold(first[skewed], second[skewed], linear)
-            flipped = np.where(skewed, plainly, flipped)
-    elif skewed[0]:
-        fold, flipped = edges.fold(first, second, camera.modelview[:3, :3]), plainly
-    return np.where(ccw[first] != flipped, fold, 2.0 * np.pi - fold)
+def _seams(lone: list[Edges]) -> Edges:
+    """Lone sides of all parts, in one space, as edges with each other's sides."""
+    sides = np.concatenate([part.sides for part in lone])
+    planes = np.concatenate([part.planes for part in lone])
+    polygon = np.arange(len(sides), dtype=np.int32)
+    return Edges(sides, polygon, planes, *neighbours(sides, None))
 
 
 def _are_similarities(modelviews: Doubles) -> Flags:
@@ -121,29 +250,3 @@ def _are_similarities(modelviews: Doubles) -> Flags:
     scale = np.trace(square, axis1=1, axis2=2)[:, None, None] / 3.0
     off = np.abs(square - scale * np.eye(3)).max(axis=(1, 2))
     return np.asarray(off <= 1e-6 * scale[:, 0, 0])
-
-
-def _records(
-    edges: Edges, found: list[tuple[int, Indices]], ccw: Flags, places: Places | None
-) -> NDArray[np.float32]:
-    rows = np.concatenate([sides for _, sides in found]) if found else np.empty(0, np.intp)
-    records = np.empty((len(rows), RECORD), np.float32)
-    records[:, :9] = edges.sides[rows]
-    records[:, 9:13] = edges.planes[edges.polygon[rows]]
-    records[:, 13] = np.repeat([kind for kind, _ in found], [len(sides) for _, sides in found])
-    records[:, 14] = np.where(ccw[rows], 1.0, -1.0)
-    if places is not None:
-        _move(records, places.modelviews, places.polygon[edges.polygon[rows]])
-    return records
-
-
-def _move(records: NDArray[np.float32], modelviews: Doubles, owner: NDArray[np.int32]) -> None:
-    """Take records from object space to eye space under the modelview of each one's owner."""
-    turn = modelviews[:, :3, :3].transpose(0, 2, 1).astype(np.float32)[owner]
-    shift = modelviews[:, None, :3, 3].astype(np.float32)[owner]
-    corners = records[:, :9].reshape(-1, 3, 3) @ turn + shift
-    records[:, :9] = corners.reshape(-1, 9)
-    normals = (cofactors(modelviews)[owner] @ records[:, 9:12, None])[:, :, 0]
-    normals /= np.maximum(np.sqrt(np.einsum("li,li->l", normals, normals)), 1e-300)[:, None]
-    records[:, 9:12] = normals
-    records[:, 12] = -np.einsum("li,li->l", normals, corners[:, 0])

@@ -12,8 +12,9 @@ from glshim.geometry.camera import Camera
 from glshim.render.driver import gl
 from glshim.styling.protocol import Draw
 
-_SCISSOR_TEST, _STENCIL_TEST = 0x0C11, 0x0B90
+_STENCIL_TEST = 0x0B90
 MOST_CLIP_PLANES = 6
+_LARGEST = 8192
 _HAIR = 4.0
 """Steps of the depth buffer between a line and the surface that it belongs to."""
 
@@ -32,7 +33,7 @@ def grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
                 continue
             known = seen[id(draw.camera)] = (camera, _lens(camera))
         camera, lens = known
-        same = (lens, draw.choice, draw.shader, tuple(draw.uniforms.items()))
+        same = (lens, draw.choice, draw.shader, tuple(draw.uniforms.items()), draw.image)
         groups.setdefault(same, []).append(replace(draw, camera=camera))
     return list(groups.values())
 
@@ -50,16 +51,23 @@ def _lens(camera: Camera) -> Hashable:
     )
 
 
-def hair_of(camera: Camera, bits: int, greater: bool) -> float:
-    """A few steps of the depth buffer in normalised device depth, positive away from the viewer."""
+def turned(camera: Camera, greater: bool) -> tuple[Camera, float]:
+    """The camera with its depth range turned so that greater is farther away, and the factor that
+    turns depths of the window (+1 or -1). greater: the app's depth test lets greater depths win."""
     near, far = camera.depth_range
-    away = -1.0 if greater != (near > far) else 1.0
-    return away * 2.0 * _HAIR / 2.0**bits / max(abs(far - near), 1e-6)
+    away = -1.0 if greater else 1.0
+    return replace(camera, depth_range=(away * near, away * far)), away
+
+
+def hair_of(bits: int) -> float:
+    """A few steps of a depth buffer in window depth; shaders have no more than 24 bits."""
+    return _HAIR / 2.0 ** min(bits, 24)
 
 
 def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
-    """The camera's matrices as uniforms (columns first); None when nothing can be seen by it."""
-    if min(camera.viewport[2:]) <= 0:
+    """The camera as uniforms (matrices columns first); None when nothing can be seen by it."""
+    x, y, width, height = camera.viewport
+    if min(width, height) <= 0:
         return None
     if not np.isfinite(camera.projection).all():
         return None
@@ -67,29 +75,40 @@ def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
         unprojection = np.linalg.inv(camera.projection)
     except np.linalg.LinAlgError:
         return None
-    return {
-        "modelview": camera.modelview.T,
+    half = width / 2.0, height / 2.0
+    found = {
         "projection": camera.projection.T,
         "unprojection": unprojection.T,
-        "normal_matrix": camera.normal_matrix.T,
         "viewpoint": camera.viewpoint,
-    } | ({"clip_planes": np.array(camera.clip_planes[:6])} if camera.clip_planes else {})
+        "viewport": np.array((x + half[0], y + half[1], *half)),
+        "range": np.array(camera.depth_range),
+        "port": np.array((x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)),
+    }
+    if camera.clip_planes:
+        found["clip_planes"] = np.array(camera.clip_planes[:MOST_CLIP_PLANES])
+    return found
 
 
-def set_up(camera: Camera) -> None:
-    """The fixed state that belongs to a camera."""
-    gl.glViewport(*camera.viewport)
-    gl.glDepthRange(*camera.depth_range)
-    if camera.scissor is None:
-        gl.glDisable(_SCISSOR_TEST)
-    else:
-        gl.glEnable(_SCISSOR_TEST)
-        gl.glScissor(*camera.scissor)
+def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:
+    """The least box (x, y, width, height, pixels of the framebuffer) around all viewports."""
+    ports = [camera.viewport for camera in cameras]
+    x, y = (max(min(port[k] for port in ports), 0) for k in (0, 1))
+    right, top = (min(max(port[k] + port[k + 2] for port in ports), _LARGEST) for k in (0, 1))
+    return x, y, max(right - x, 0), max(top - y, 0)
+
+
+def scissor(camera: Camera, box: tuple[int, int, int, int]) -> None:
+    """Let drawing reach what the camera's viewport and scissor box leave of a box."""
+    edges = [box, camera.viewport, *([camera.scissor] if camera.scissor else [])]
+    x, y = (max(edge[k] for edge in edges) for k in (0, 1))
+    right, top = (min(edge[k] + edge[k + 2] for edge in edges) for k in (0, 1))
+    gl.glScissor(x, y, max(right - x, 0), max(top - y, 0))
+
+
+def stencil(camera: Camera) -> None:
+    """The app's stencil test, as far as it hides."""
     if camera.stencil is None:
         gl.glDisable(_STENCIL_TEST)
     else:
         gl.glEnable(_STENCIL_TEST)
         gl.glStencilFunc(*camera.stencil)
-    for plane in range(MOST_CLIP_PLANES):
-        switch = gl.glEnable if plane < len(camera.clip_planes) else gl.glDisable
-        switch(0x3000 + plane)

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import ctypes
+
 from glshim.spec.driver import SIGNATURES, current_context, gl
 
-__all__ = ["current_context", "gl"]
+__all__ = ["current_context", "gl", "integer"]
 
 SIGNATURES.update(
     {
+        "glBindAttribLocation": "uup",
         "glBindRenderbuffer": "uu",
+        "glBlendEquation": "u",
+        "glBlendFunc": "uu",
         "glBlitFramebuffer": "iiiiiiiiuu",
         "glCheckFramebufferStatus": "u>u",
         "glClear": "u",
@@ -16,21 +21,37 @@ SIGNATURES.update(
         "glClearDepth": "d",
         "glColorMaski": "ubbbb",
         "glCopyTexSubImage2D": "uiiiiiii",
+        "glDeleteTextures": "ip",
         "glDepthFunc": "u",
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glEnableVertexAttribArray": "u",
-        "glFramebufferRenderbuffer": "uuuu",
         "glFramebufferTexture2D": "uuuui",
         "glGenFramebuffers": "ip",
-        "glGenRenderbuffers": "ip",
+        "glGenerateMipmap": "u",
+        "glGetAttachedShaders": "uipp",
+        "glGetProgramInfoLog": "uipp",
+        "glGetShaderInfoLog": "uipp",
         "glLineWidth": "f",
         "glPixelTransferf": "uf",
-        "glRenderbufferStorage": "uuii",
         "glScissor": "iiii",
         "glStencilFunc": "uiu",
         "glStencilMask": "u",
+        "glUniform1f": "if",
+        "glUniform4fv": "iip",
+        "glUniformMatrix4fv": "iibp",
+        "glUniform1i": "ii",
+        "glUniform2f": "iff",
+        "glUniform3f": "ifff",
+        "glVertex2f": "ff",
         "glVertexAttribDivisor": "uu",
         "glVertexAttribPointer": "uiubip",
     }
 )
+
+
+def integer(name: int) -> int:
+    """What glGetIntegerv says about one value."""
+    value = ctypes.c_int()
+    gl.glGetIntegerv(name, ctypes.addressof(value))
+    return value.value

@@ -9,11 +9,10 @@ from __future__ import annotations
 import ctypes
 from importlib.resources import files
 
-from ..errors import RenderError
-from ..spec.driver import current_context, gl
 from ..styling.protocol import Colour
+from .driver import current_context, gl
+from .programs import compiled
 
-_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
 _BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0
 
 
@@ -74,18 +73,6 @@ class Surface:
 
 
 def _compile() -> tuple[int, int]:
-    program = gl.glCreateProgram()
-    for kind, name in ((_VERTEX, "surface.vert.glsl"), (_FRAGMENT, "surface.frag.glsl")):
-        text = (files(__package__) / "shaders" / name).read_bytes()
-        shader = gl.glCreateShader(kind)
-        pointer, length = ctypes.c_char_p(text), ctypes.c_int(len(text))
-        gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
-        gl.glCompileShader(shader)
-        gl.glAttachShader(program, shader)
-        gl.glDeleteShader(shader)
-    gl.glLinkProgram(program)
-    linked = ctypes.c_int()
-    gl.glGetProgramiv(program, 0x8B82, ctypes.byref(linked))
-    if not linked.value:
-        raise RenderError("the surface program does not link in this context")
-    return program, gl.glGetUniformLocation(program, b"colour")
+    texts = ((files(__package__) / "shaders" / f"surface.{kind}.glsl") for kind in ("vert", "frag"))
+    program = compiled("surface", *(text.read_text("utf-8") for text in texts))
+    return program, int(gl.glGetUniformLocation(program, b"colour"))

@@ -46,9 +46,7 @@ def _rows() -> tuple[Attribute, ...]:
 
     def add(name: str, kind: int, size: int, type_: str) -> None:
         pad = f"{16 - 4 * size}x" if size < 4 else ""
-        rows.append(
-            Attribute(name, kind, size, type_[0], len(rows), Struct(f"={size}f{pad}i"))
-        )
+        rows.append(Attribute(name, kind, size, type_[0], len(rows), Struct(f"={size}f{pad}i")))
 
     for stem, kind, sizes, types in table:
         for size in sizes:

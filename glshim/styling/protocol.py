@@ -24,6 +24,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
 from typing import Any, ClassVar, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
@@ -183,7 +186,9 @@ class Shader:
     """GLSL texts (no ``#version`` line) that turn one line record into one triangle strip.
 
     `vertex` follows the prelude ``glshim/render/shaders/line.glsl``, which declares the record
-    and the camera and offers the offset formulas; `fragment` stands alone.
+    and the camera and offers the offset formulas; `fragment` follows ``depth.glsl``, which gives
+    the layer's finished depth. The ink that it writes is premultiplied; where strokes overlap each
+    channel keeps its greatest value.
     """
 
     name: str
@@ -191,6 +196,15 @@ class Shader:
     fragment: str
     vertices: int
     """Vertices of the strip of one edge."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """A picture that strokes are drawn with. Compared by identity: keep it."""
+
+    pixels: NDArray[np.uint8]
+    """(H, W, 4) red, green, blue, alpha (straight), the first row on top. Columns run along a
+    stroke and repeat, rows across it, the last one inside a silhouette."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -203,6 +217,8 @@ class Draw:
     shader: Shader
     uniforms: Mapping[str, Uniform]
     """The shader's own uniforms by name."""
+    image: Image | None = None
+    """What the fragment shader's sampler ``stroke`` reads."""
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
-"""Style ``raskar``: silhouettes and ridges from each polygon alone, without connectivity.
+"""Style ``raskar``: silhouettes, ridges, valleys and intersections.
 
 R. Raskar, "Hardware Support for Non-photorealistic Rendering", Graphics Hardware 2001,
-sections 2.1 and 2.2. The formulas stand in `glshim.geometry.raskar`.
+sections 2.1 to 2.4. The formulas stand in `glshim.geometry.raskar`.
 """
 
 from __future__ import annotations
@@ -20,26 +20,44 @@ SHADER = Shader(
     "raskar",
     (_HERE / "raskar.vert.glsl").read_text("utf-8"),
     (_HERE / "raskar.frag.glsl").read_text("utf-8"),
-    vertices=6,
+    vertices=4,
 )
 
 
 @dataclass(frozen=True)
 class Raskar(Styler):
-    """Ink on silhouettes and ridges (Raskar 2001)."""
+    """Ink on silhouettes, ridges, valleys and intersections (Raskar 2001)."""
 
     name: ClassVar[str] = "raskar"
 
     silhouettes: bool = option(True, help="ink where front-facing polygons meet back-facing ones")
     ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
+    valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
+    intersections: bool = option(True, help="ink where polygons pass through each other")
     silhouette_width: float = option(
         3.0, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
     )
     ridge_width: float = option(
         2.0, help="width of a ridge, half on either side of the edge", low=0.5, high=64.0, unit="px"
     )
+    valley_width: float = option(
+        2.0,
+        help="width of a valley, half on either side of the edge",
+        low=0.5,
+        high=64.0,
+        unit="px",
+    )
+    intersection_width: float = option(
+        2.0, help="width of an intersection, half on either side", low=0.5, high=64.0, unit="px"
+    )
     ridge_angle: float = option(
         120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
+    )
+    valley_angle: float = option(
+        240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
+    )
+    connectivity: bool = option(
+        True, help="off: no polygon knows its neighbours, depth alone decides, as in the paper"
     )
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = option(  # noqa: RUF009
@@ -53,16 +71,26 @@ class Raskar(Styler):
         return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw]:
-        """One draw a batch: rings around back-facing polygons, quads on front-facing ones."""
-        if not (self.silhouettes or self.ridges):
+        """One draw a batch: rings around back-facing polygons, strokes on front-facing ones."""
+        if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
             return
-        angle = radians(self.ridge_angle)
-        choice = Choice(self.silhouettes, angle if self.ridges else None)
+        ridge, valley = radians(self.ridge_angle), radians(self.valley_angle)
+        choice = Choice(
+            self.silhouettes,
+            ridge if self.ridges else None,
+            valley if self.valleys else None,
+            self.intersections,
+            self.connectivity,
+        )
+        widths = (
+            self.silhouette_width, self.ridge_width, self.valley_width, self.intersection_width
+        )  # fmt: skip
         uniforms: dict[str, Uniform] = {
-            "silhouette_width": self.silhouette_width,
-            "ridge_width": self.ridge_width / 2.0,
-            "ridge_turn": (cos(angle), sin(angle)),
+            "widths": widths,
+            "ridge_turn": (cos(ridge), sin(ridge)),
+            "valley_turn": (cos(valley), sin(valley)),
             "ink": self.ink,
+            "stroke_size": (0.0, 0.0),
         }
         for batch, camera in layer.items:
             yield Draw(batch, camera, choice, SHADER, uniforms)

@@ -1,9 +1,9 @@
-#version 330
-// Ink where there is some, pixel for pixel.
-// Inputs: ink, as large as the viewport.
+#version 120
+// What:   the gathered ink, pixel for pixel.
+// Inputs: ink (premultiplied), as large as the viewport.
 uniform sampler2D ink;
-out vec4 colour;
+varying vec2 place;
 void main() {
-    colour = texelFetch(ink, ivec2(gl_FragCoord.xy), 0);
-    if (colour.a == 0.0) discard;
+    gl_FragColor = texture2D(ink, place);
+    if (gl_FragColor.a == 0.0) discard;
 }

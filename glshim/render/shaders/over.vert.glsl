@@ -1,6 +1,8 @@
-#version 330
-// One triangle over the whole viewport.
+#version 120
+// What:   one triangle over the whole canvas.
+// Inputs: its corners in clip space.
+varying vec2 place;
 void main() {
-    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-    gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);
+    place = 0.5 * gl_Vertex.xy + 0.5;
+    gl_Position = gl_Vertex;
 }

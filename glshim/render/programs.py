@@ -1,0 +1,46 @@
+"""Programs through the bare driver, in GLSL that every version from 2.1 on has."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+
+from glshim.errors import RenderError
+from glshim.render.driver import gl
+
+_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
+_LINKED = 0x8B82
+
+
+def compiled(name: str, vertex: str, fragment: str, attributes: Sequence[str] = ()) -> int:
+    """The GL name of a program whose vertex attributes lie at their place in the sequence, from
+    GLSL texts. Raises `RenderError` with the driver's words when it does not link."""
+    program = int(gl.glCreateProgram())
+    for kind, text in ((_VERTEX, vertex), (_FRAGMENT, fragment)):
+        shader = gl.glCreateShader(kind)
+        source = text.encode("ascii")
+        pointer, length = ctypes.c_char_p(source), ctypes.c_int(len(source))
+        gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
+        gl.glCompileShader(shader)
+        gl.glAttachShader(program, shader)
+        gl.glDeleteShader(shader)
+    for location, attribute in enumerate(attributes):
+        gl.glBindAttribLocation(program, location, attribute.encode("ascii"))
+    gl.glLinkProgram(program)
+    linked = ctypes.c_int()
+    gl.glGetProgramiv(program, _LINKED, ctypes.byref(linked))
+    if not linked.value:
+        raise RenderError(f"program {name!r} does not link in this context: {_words(program)}")
+    return program
+
+
+def _words(program: int) -> str:
+    """What the driver says about a program and its shaders."""
+    count, shaders, text = ctypes.c_int(), (ctypes.c_uint * 8)(), ctypes.create_string_buffer(2048)
+    gl.glGetProgramInfoLog(program, len(text), None, text)
+    said = [text.value]
+    gl.glGetAttachedShaders(program, 8, ctypes.byref(count), shaders)
+    for shader in shaders[: count.value]:
+        gl.glGetShaderInfoLog(shader, len(text), None, text)
+        said.append(text.value)
+    return b" ".join(said).decode("utf-8", "replace").strip()
