@@ -37,7 +37,7 @@ class Layer:
     def __init__(self) -> None:
         shaders = files(__package__) / "shaders"
         texts = ((shaders / f"lay.{kind}.glsl").read_text("utf-8") for kind in ("vert", "frag"))
-        self._program = compiled("lay", *texts, attributes=("vertex",))
+        self._program = compiled("lay", next(texts), next(texts), ("vertex",))
         self._at = {
             name: int(gl.glGetUniformLocation(self._program, name.encode()))
             for name in ("modelview", "projection", "planes")
