@@ -17,21 +17,25 @@ Floats = NDArray[np.float32]
 
 RING, CONTOUR, HOLLOW, FIN, RIDGE, LONE_RIDGE, VALLEY, LONE_VALLEY, INTERSECTION = range(9)
 OUTLINES = (RING, CONTOUR, HOLLOW, FIN)
-"""Kinds of line. RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1), in the
-polygon's plane: at the foot of a box it lies on the floor. CONTOUR: the same where the surface turns
-away smoothly: the polygon's plane, steep on the screen, says nothing about what lies beside it, so the
-line is as deep as its side. HOLLOW: the same where the fold is hollow on the winding side: hidden in a
-solid, seen in a sheet or where the windings are inside out, so only well before what lies behind it.
+"""Kinds of line.
+
+RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1), in the polygon's plane:
+at the foot of a box it lies on the floor.
+CONTOUR: the same where the surface turns away smoothly. The polygon's plane, steep on the screen,
+says nothing about what lies beside it: the line is as deep as its side.
+HOLLOW: the same where the fold is hollow on the winding side: hidden in a solid, seen in a sheet or
+where the windings are inside out, so only well before what lies behind it.
+FIN: the outline of an open side. It leans back so steeply that nearly every surface near the side
+hides it: a neighbour may be there after all (a seam, a T-junction).
 RIDGE, VALLEY: an edge whose two polygons are known to fold below or above the threshold.
 LONE_RIDGE (2.2), LONE_VALLEY (2.3): the quad at the threshold angle, where no neighbour is known:
-depth decides. FIN: a ring that leans back so steeply that nearly every surface near the edge hides
-it. It outlines open sides, where a neighbour may be there after all (a seam, a T-junction).
+depth decides.
 INTERSECTION: where two polygons pass through each other (2.4)."""
 
 RECORD = 17
 """Floats of one record, eye space: a, b, c (3 each; the own polygon lies left of a to b in the
-window, c is where an outline goes on from b, or b), unit normals of the own and of the other polygon
-(3 each; the other's is zero where none is known), kind, pixels along the stroke at a."""
+window, c is where an outline goes on from b, or b), unit normals of the own and of the other
+polygon (3 each; the other's is zero where none is known), kind, pixels along the stroke at a."""
 
 _SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
@@ -59,10 +63,10 @@ class Choice:
 
 
 def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice) -> Floats:
-    """(L, 17) float32 records of the lines to draw, eye space; see `RECORD`. All but intersections.
+    """(L, 17) float32 records of the lines, eye space; see `RECORD`. All but intersections.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
-    polygon is back-facing, a quad where it is front-facing. Where another side lies on the same edge,
+    polygon is back-facing, a quad where it is front-facing. Where another side lies on its edge,
     what that polygon hides anyway is left out: a ring stays only where all polygons of the edge
     lie on one side of it in the window (the occluding contour, whatever the windings), a ridge or
     a valley only where they lie on both. Sides that find no neighbour in their own part look for

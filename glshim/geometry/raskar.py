@@ -164,8 +164,8 @@ def line_planes(
 
     The polygon's own for a RING (section 2.1) and where the other polygon is known. For lone
     ridges and valleys ``-N cos t + (E x N) sin t`` with N towards the viewer (2.2, 2.3). FIN:
-    tilted back from the viewer about the side. along, normal (of the winding along a to b) and sight
-    (from the side to the viewer): (L, 3), unit; angle: (L,) t in radians.
+    tilted back from the viewer about the side. along, normal (of the winding along a to b) and
+    sight (from the side to the viewer): (L, 3), unit; angle: (L,) t in radians.
     """
     outward = _unit(np.cross(along, normal))
     upright = np.cross(outward, along)

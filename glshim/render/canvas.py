@@ -24,7 +24,7 @@ _ADD, _MAX, _ONE, _REST = 0x8006, 0x8008, 1, 0x0303
 
 
 class Canvas:
-    """Colour (premultiplied) of at least a window's size. Make and use it inside the state guard."""
+    """Colour (premultiplied) of at least a window's size. Use it inside the state guard."""
 
     def __init__(self) -> None:
         shaders = files(__package__) / "shaders"

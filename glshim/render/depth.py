@@ -37,8 +37,8 @@ class DepthCopy:
         self._format = 0
 
     def take(self, box: Box, bits: int) -> bool:
-        """Copy the depth of the bound framebuffer (of so many bits) in a box and bind the texture at
-        `UNIT`. Whether that worked: a multisampled depth may be of a kind that cannot be resolved."""
+        """Copy the depth of the bound framebuffer (of so many bits) in a box and bind the texture
+        at `UNIT`. Whether that worked: some multisampled depths cannot be resolved."""
         x, y, width, height = box
         source = integer(_DRAW_BINDING)
         several = integer(_SAMPLE_BUFFERS) > 0
@@ -59,8 +59,8 @@ class DepthCopy:
         return int(gl.glGetError()) == 0
 
     def open(self, box: Box, greater: bool) -> None:
-        """Bind it as an empty depth buffer to draw into, large enough for a box; greater: farther is
-        less depth."""
+        """Bind it as an empty depth buffer to draw into, large enough for a box; greater: farther
+        is less depth."""
         x, y, width, height = box
         self.blur = 0.0
         self._make(x + width, y + height, _DEPTH_24)

@@ -77,7 +77,7 @@ class Pen:
     ) -> None:
         """Ink into the framebuffer that is bound. The camera's depth range is turned by away; hair
         is in window depth."""
-        program = self._ready(camera, shader, uniforms, depth, away, hair, ())
+        program = self._ready(camera, shader, uniforms, depth, away=away, hair=hair)
         if program is None:
             return
         offset = self._stream(records)
@@ -104,7 +104,9 @@ class Pen:
         """What the vertex shader makes of line records: (L, shader.vertices, size) by name, for
         names and their sizes. Transform feedback; what tests hold to the numpy reference."""
         depth = DepthCopy()
-        program = self._ready(camera, shader, uniforms, depth, 1.0, hair, tuple(names))
+        program = self._ready(
+            camera, shader, uniforms, depth, away=1.0, hair=hair, varyings=tuple(names)
+        )
         if program is None:
             raise RenderError("this camera sees nothing")
         width = sum(names.values())
@@ -128,9 +130,10 @@ class Pen:
         shader: Shader,
         uniforms: Uniforms,
         depth: DepthCopy,
+        *,
         away: float,
         hair: float,
-        varyings: tuple[str, ...],
+        varyings: tuple[str, ...] = (),
     ) -> _Program | None:
         """The program of a shader with its uniforms set; None where the camera sees nothing."""
         view = view_of(camera)
