@@ -20,7 +20,7 @@ CLAYS = np.array([[0.30, 0.56, 0.70], [0.82, 0.52, 0.36], [0.62, 0.64, 0.68]])
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-# The right half of the face, from brow to chin: each digit is a corner of the mesh, the leftmost
+# Half of the face, from forehead to chin: each digit is a corner of the mesh, the leftmost
 # in the middle of the face; 3 is the skin, higher stands out.
 FACE = """
     333333333
