@@ -22,9 +22,9 @@ from glshim.render.textures import STROKE_UNIT
 from glshim.styling.protocol import Shader, Uniform
 
 _SHADERS = files(__package__) / "shaders"
-_VERTEX = (_SHADERS / "line.glsl").read_text("utf-8")
-FRAGMENT = (_SHADERS / "depth.glsl").read_text("utf-8")
-"""Prelude of fragment shaders, for every version of GLSL."""
+_LINE = (_SHADERS / "line.glsl").read_text("utf-8")
+DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
+"""Prelude of both stages, for every version of GLSL."""
 _STRIP = 0x0005
 _INPUTS = {"edge_a": 3, "edge_b": 3, "edge_c": 3, "edge_own": 3, "edge_other": 3, "edge_kind": 2}
 """Floats of each input, in the order of a record."""
@@ -171,10 +171,10 @@ class Pen:
             head = f"#version 330\n#define CLIP_PLANES {planes}\n"
             try:
                 program = self._context.program(
-                    vertex_shader=f"{head}{_VERTEX}\n#line 1\n{shader.vertex}",
+                    vertex_shader=f"{head}#define VERTEX_STAGE\n{DEPTH}{_LINE}#line 1\n{shader.vertex}",
                     fragment_shader=None
                     if varyings
-                    else f"{head}{FRAGMENT}\n#line 1\n{shader.fragment}",
+                    else f"{head}{DEPTH}#line 1\n{shader.fragment}",
                     varyings=varyings,
                 )
             except moderngl.Error as error:

@@ -16,10 +16,11 @@ from glshim.geometry.lines import Choice
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
 
 _HERE = files(__package__)
+_STROKE = (_HERE / "stroke.glsl").read_text("utf-8")
 SHADER = Shader(
     "raskar",
-    (_HERE / "raskar.vert.glsl").read_text("utf-8"),
-    (_HERE / "raskar.frag.glsl").read_text("utf-8"),
+    _STROKE + (_HERE / "raskar.vert.glsl").read_text("utf-8"),
+    _STROKE + (_HERE / "raskar.frag.glsl").read_text("utf-8"),
     vertices=4,
 )
 
@@ -89,6 +90,7 @@ class Raskar(Styler):
             "widths": widths,
             "ridge_turn": (cos(ridge), sin(ridge)),
             "valley_turn": (cos(valley), sin(valley)),
+            "culling": 1.0,
             "ink": self.ink,
             "stroke_size": (0.0, 0.0),
         }

@@ -1,23 +1,18 @@
 // What:   the stroke of one line in the window, and a quad that holds it.
 // Inputs: a line record and the camera (line.glsl); widths in pixels; the threshold angles.
-//         Four vertices: a inside, a outside, b inside, b outside.
+//         Four vertices: a inside, a outside, b inside, b outside. Nowhere if nothing is seen.
 // Source: Raskar 2001, sections 2.1 to 2.4, done on the screen so that the width is exact
 //         (derivation and numpy reference: glshim/geometry/raskar.py).
 
 uniform vec4 widths;       // of silhouettes, ridges, valleys, intersections
 uniform vec2 ridge_turn;   // cosine and sine of the threshold angle
 uniform vec2 valley_turn;
-
-flat out vec3 line_a;      // pixels of the framebuffer, depth (greater is farther)
-flat out vec3 line_b;
-flat out vec2 onwards;     // direction of the next side at an outer corner of an outline; else 0
-flat out vec4 slopes;      // depth a pixel on the line's plane and on the other polygon's
-flat out vec4 extent;      // pixels outwards between which the ink lies; kind; pixels along at a
-flat out vec2 grain;       // depth of a pixel at 45 degrees; depth that counts as seen
+uniform float culling;     // whether lines that are not seen are left out here
 
 const float INWARD = 0.5;     // pixels by which the middle of a ring's inner rim lies inside
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;  // cosine between a fin and the line of sight
+const float LONGEST = 24.0;   // pixels of a line that is asked everywhere whether it is seen
 const float STEEPEST = 10.0;  // pixels' worth of depth a pixel at which slopes are cut
 
 // Normal of the plane that a line lies in. Eye space, all unit; sight is the direction from the
@@ -41,22 +36,28 @@ vec2 bounded(vec2 slope, float deep) {
     return slope * min(1.0, STEEPEST * deep / max(length(slope), 1e-30));
 }
 
+// False when a short line is seen at none of its pixels: most lines behind others go here.
+bool seen_somewhere() {
+    if (span > LONGEST || culling == 0.0) return true;
+    for (float t = 0.5 * min(span, 1.0); t < span + 1.0; t += 1.0)
+        if (seen_at(min(t, span))) return true;
+    return false;
+}
+
 void main() {
     gl_Position = NOWHERE;
     line_a = line_b = vec3(0.0);
     onwards = grain = vec2(0.0);
     slopes = extent = vec4(0.0);
-    int kind = int(edge_kind.x);
-    bool outline = kind <= FIN, lone = kind == LONE_RIDGE || kind == LONE_VALLEY;
-
     vec3 eye_a = edge_a, eye_b = edge_b;
     if (!cut(eye_a, eye_b)) return;
     line_a = window(eye_a);
     line_b = window(eye_b);
-    vec2 along = line_b.xy - line_a.xy;
-    if (dot(along, along) < 1e-6) return;
-    along = normalize(along);
+    if (distance(line_a.xy, line_b.xy) < 1e-3) return;
+    extent.z = edge_kind.x;
+    take_stroke();
 
+    bool outline = kind <= FIN, lone = kind == LONE_RIDGE || kind == LONE_VALLEY;
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * eye_a);
     vec3 side = normalize(eye_b - eye_a);
     vec3 plane = line_plane(kind, side, edge_own, sight);
@@ -87,8 +88,9 @@ void main() {
                 : kind == RING ? 0.125 * steep : lone ? 0.0 : deep;
     grain = vec2(deep, slack + hair + blur * steep);
 
+    if (!seen_somewhere()) return;
+
     // The quad: a pixel beyond the ink, round at the ends of what is not an outline.
-    vec2 out_1 = vec2(along.y, -along.x);
     bool corner = onwards != vec2(0.0), far = gl_VertexID > 1;
     float reach = extent.y + 1.0;
     float past = outline || lone ? (far && corner ? reach : 1.0) : reach;

@@ -1,12 +1,15 @@
-// Prelude of every line shader's fragments: the layer's finished depth. Also for GLSL 1.20.
+// Prelude of every line shader, in both stages: the layer's finished depth, the kinds of line, and
+// PASSED, which declares what goes from the vertex to the fragment. Also for GLSL 1.20.
 
-#if __VERSION__ >= 130
-#define FROM_VERTEX flat in
-out vec4 colour;
-#else
-#define FROM_VERTEX varying
+#if __VERSION__ < 130
+#define PASSED varying
 #define colour gl_FragColor
 #define texture texture2D
+#elif defined(VERTEX_STAGE)
+#define PASSED flat out
+#else
+#define PASSED flat in
+out vec4 colour;
 #endif
 
 uniform sampler2D finished_depth;  // window depth of the framebuffer
@@ -15,21 +18,20 @@ uniform vec4 port;                 // the viewport: least and greatest pixel cen
 uniform float away;                // +1 where greater depth is farther away, else -1
 uniform float blur;                // pixels by which depths may not be those of pixel centres
 
+const int RING = 0, CONTOUR = 1, HOLLOW = 2, FIN = 3, RIDGE = 4, LONE_RIDGE = 5, VALLEY = 6,
+          LONE_VALLEY = 7, INTERSECTION = 8;  // glshim/geometry/lines.py
+
 // Depth, greater for farther, of what is drawn in the pixel with a centre.
 float finished(vec2 centre) {
-    return away * texture(finished_depth, clamp(centre, port.xy, port.zw) / depth_size).r;
+    centre = clamp(centre, port.xy, port.zw);
+#if __VERSION__ >= 130
+    return away * texelFetch(finished_depth, ivec2(centre), 0).r;
+#else
+    return away * texture2D(finished_depth, centre / depth_size).r;
+#endif
 }
 
-// The centre of the nearest pixel beyond a line through a place: outwards is a unit vector.
+// The centre of a pixel beyond a line through a place: 0.04 to 1.46 pixels outwards (a unit vector).
 vec2 beyond(vec2 place, vec2 outwards) {
-    float least = 0.04 + blur, nearest = 9.0;
-    vec2 corner = floor(place + (least + 0.01) * outwards - 0.5) + 0.5, found = corner;
-    for (int i = 0; i < 2; ++i) {
-        for (int j = 0; j < 2; ++j) {
-            vec2 centre = corner + vec2(i, j);
-            float distance = dot(centre - place, outwards);
-            if (distance > least && distance < nearest) { nearest = distance; found = centre; }
-        }
-    }
-    return found;
+    return floor(place + (0.75 + blur) * outwards) + 0.5;
 }

@@ -13,15 +13,11 @@ uniform mat4 unprojection;      // clip to eye
 uniform vec4 viewpoint;         // the viewer in eye space: a point, or (w = 0) a direction to it
 uniform vec4 viewport;          // pixels: its middle, and half its size
 uniform vec2 range;             // window depth of the near and the far plane, turned by away
-uniform float away;             // +1 where greater depth is farther away, else -1
 uniform float hair;             // a few steps of the depth buffer
-uniform float blur;             // pixels by which depths may not be those of pixel centres
 #if CLIP_PLANES > 0
 uniform vec4 clip_planes[CLIP_PLANES];  // the app's, in eye space
 #endif
 
-const int RING = 0, CONTOUR = 1, HOLLOW = 2, FIN = 3, RIDGE = 4, LONE_RIDGE = 5, VALLEY = 6,
-          LONE_VALLEY = 7, INTERSECTION = 8;  // glshim/geometry/lines.py
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 // Moves the ends of a side to where it crosses a plane. Whether something is left of it.

@@ -1,0 +1,75 @@
+// What:   a stroke, as the vertex shader makes it, and whether its line is seen at a place along it:
+//         the layer's finished depth is asked beside it.
+// Inputs: finished depth (depth.glsl). For both stages, GLSL 1.20 too.
+// Source: Raskar 2001, sections 2.1 to 2.4; the between-test is `lies_between`.
+
+PASSED vec3 line_a;   // pixels of the framebuffer, depth (greater is farther)
+PASSED vec3 line_b;
+PASSED vec2 onwards;  // direction of the next side at an outer corner of an outline; else 0
+PASSED vec4 slopes;   // depth a pixel on the line's plane and on the other polygon's
+PASSED vec4 extent;   // pixels outwards between which the ink lies; kind; pixels along at a
+PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
+
+const float TRAP = 0.5;       // pixels' worth of depth: half of z2 less z1 of the between-test
+
+vec2 along, out_1;
+float span;
+int kind;
+
+// Fills the variables above from the stroke.
+void take_stroke() {
+    along = line_b.xy - line_a.xy;
+    span = length(along);
+    along /= span;
+    out_1 = vec2(along.y, -along.x);
+    kind = int(extent.z + 0.5);
+}
+
+// The point of the line t pixels from a: pixels, depth.
+vec3 point(float t) { return line_a + t / span * (line_b - line_a); }
+
+// Depth of the line's surface over the side's own at a place off it: on the farther one of the two
+// polygons of a ridge, on the nearer one else; never behind the side for an outline.
+float surface(vec2 off) {
+    float level = (line_b.z - line_a.z) / span * dot(off, along);
+    float own = dot(slopes.xy, off), other = dot(slopes.zw, off);
+    if (kind == CONTOUR || kind == HOLLOW) return level;
+    if (kind == RING) return min(own, level);
+    return kind == RIDGE ? max(own, other) : min(own, other);
+}
+
+// Whether the surface beside a place of the line is what is drawn there.
+bool seen_beside(vec3 place, vec2 outwards) {
+    vec2 centre = beyond(place.xy, outwards);
+    return place.z + surface(centre - place.xy) - grain.y <= finished(centre);
+}
+
+// Section 2.3: the quad lies behind what is drawn beside the line, and that surface, carried on to
+// the line over two pixels, meets it (z1 and z2 are a pixel apart there).
+bool lies_between(vec3 place) {
+    vec2 one = beyond(place.xy, out_1), two = beyond(place.xy + 1.5 * out_1, out_1);
+    vec2 off = one - place.xy, step = two - one;
+    float near = finished(one), slope = (finished(two) - near) / dot(step, out_1);
+    if (near >= place.z + dot(slopes.xy, off) - grain.y) return false;
+    float level = (line_b.z - line_a.z) / span * dot(off, along);
+    float gap = near - slope * dot(off, out_1) - place.z - level;
+    return abs(gap) < TRAP * max(grain.x, abs(slope)) + grain.y;
+}
+
+bool seen_at(float t) {
+    vec3 place = point(t);
+    if (kind == LONE_VALLEY) return lies_between(place);
+    bool here = seen_beside(place, out_1);
+    if (kind <= FIN) {
+        // Two pixels beside a smooth contour: flaps of the mesh stand out less. One beside others.
+        if (here != (kind == CONTOUR || kind == HOLLOW)) return here;
+        return seen_beside(place + vec3(out_1, surface(out_1)), out_1);
+    }
+    return here || (kind != LONE_RIDGE && seen_beside(place, -out_1));
+}
+
+// Two of three places along the line: no dots, no holes of a pixel.
+bool seen(float t) {
+    bool here = seen_at(t), before = seen_at(t - 1.0);
+    return here == before ? here : seen_at(t + 1.0);
+}
