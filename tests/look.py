@@ -234,6 +234,11 @@ def styled(backend: Backend, style: Raskar, *items: tuple[PolygonBatch, Camera])
     return before, pixels(), depth
 
 
+def ink(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """(H, W) share of each pixel that black ink covers, from pictures without and with it."""
+    return 1.0 - after.max(axis=2) / np.maximum(before.max(axis=2).astype(float), 1.0)
+
+
 MESHES = {"torus": torus, "sphere": sphere, "bowl": bowl, "cube": cube, "cylinder": cylinder}
 
 
