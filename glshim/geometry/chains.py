@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float32]
 Indices = NDArray[np.intp]
 
-_CELLS = ((1 << 20, 0.5), (1 << 18, 0.23))
+_CELLS = ((1 << 20, 0.5), (1 << 18, 0.23), (1 << 16, 0.71))
 """Cells per axis in which ends count as one, and the shift of the cells, for each round."""
 _MOST = 4
 """Sides that may begin at one place and are compared for the straightest way on."""

@@ -21,7 +21,7 @@ Flags = NDArray[np.bool_]
 _GRAIN = 16 * float(np.finfo(np.float32).eps)
 """Length, over a polygon's largest coordinate, below which float32 corners say nothing: heights of
 polygons under it are slivers without a normal, sides under it have no length."""
-_CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23))
+_CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23), (1 << 17, 0.61), (1 << 16, 0.37))
 """Cells per axis in which corners count as one when neighbours are looked for, and the shift of
 the cells, for each round of looking."""
 

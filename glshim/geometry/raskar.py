@@ -36,8 +36,9 @@ EDGE_ON = 0.02
 """Cosine to the line of sight below which a quad is left out: it cannot be seen."""
 FIN_TILT = 0.17
 """Cosine between a fin and the line of sight."""
-STEEPEST = 10.0
-"""Pixels' worth of depth a pixel at which the slope of a plane is cut: about 84 degrees."""
+STEEPEST = 5.0
+"""Pixels' worth of depth a pixel at which the slope of a plane is cut: 11 degrees to the line of
+sight."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

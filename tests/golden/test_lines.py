@@ -183,8 +183,11 @@ def test_a_bowl_is_not_blackened_inside(backend):
     before, after, _ = look.styled(backend, Raskar(), (mesh, camera))
     inside = (before == 204).all(axis=2)
     assert inside.sum() > 10_000
-    # The inner half of the line's own rim lies on the bowl.
-    assert (look.ink(before, after) > 0.5)[inside].mean() < 0.001
+    # A pixel's width of the line's own rim lies on the bowl.
+    deep = inside.copy()
+    for axis in (0, 1):
+        deep &= np.roll(inside, 1, axis) & np.roll(inside, -1, axis)
+    assert (look.ink(before, after) > 0.1)[deep].mean() < 0.001
 
 
 def test_batches_with_and_without_key_alone_and_together_draw_alike(backend):
@@ -237,7 +240,11 @@ def test_the_outline_has_no_gap(backend, teapot, name, width):
             beside = solid[:-2, 1:-1] | solid[2:, 1:-1] | solid[1:-1, :-2] | solid[1:-1, 2:]
             rim = beside & empty
             assert rim.sum() > 200
-            gaps = rim & (after == 255).all(axis=2)
+            inked = np.pad(look.ink(before, after) > 0.3, 1)
+            gaps = rim & ~inked[1:-1, 1:-1]
+            if width == 1.0:  # it may lie on the object's own last pixel
+                gaps &= ~(inked[:-2, 1:-1] | inked[2:, 1:-1])
+                gaps &= ~(inked[1:-1, :-2] | inked[1:-1, 2:])
             # A single pixel at a hollow corner may ask at a spine that its neighbour hides.
             allowed = 0.004 * rim.sum() if width == 1.0 else 1
             assert gaps.sum() <= allowed, (k, front_ccw, np.argwhere(gaps)[:5])

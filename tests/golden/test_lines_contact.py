@@ -12,9 +12,10 @@ from OpenGL import GL
 
 from glshim.geometry.camera import Camera
 from glshim.geometry.edges import edges
-from glshim.geometry.lines import RIDGE, Choice, choose
+from glshim.geometry.gather import Places
+from glshim.geometry.lines import RIDGE, Choice, lines
 from glshim.render.backend import Backend
-from glshim.render.canvas import triangles
+from glshim.render.laying import triangles
 from glshim.render.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
@@ -122,8 +123,9 @@ def test_hexagons_at_the_default_threshold_are_ridges_whole(backend):
         found = edges(bolt)
         assert (np.degrees(found.folds) < 120.06).sum() + (np.degrees(found.folds) > 239.9).sum()
         seen = Camera(look.look_at((900, 700, 800)), look.orthographic(), PORT)
-        ridges = choose(found, seen, choice)[:, 13] == RIDGE
-        assert ridges.sum() == 2 * (2 + 3)
+        parts = [(found, Places.one(seen.modelview, len(found.planes)))]
+        ridges = lines(parts, seen, choice)[:, 15] == RIDGE
+        assert ridges.sum() == 2 + 3
     camera = Camera(look.look_at((3.3, 2, 2.5)), look.perspective(), PORT)
     bolt = look.cylinder(6)
     before, after, _ = look.styled(backend, STYLE, (bolt, camera))
@@ -180,6 +182,10 @@ def test_a_window_without_depth_gets_the_lines_of_one_with(backend):
     try:
         assert GL.glGetIntegerv(GL.GL_DEPTH_BITS) == 0
         for _ in range(2):
+            GL.glBindTexture(GL.GL_TEXTURE_2D, colour)
+            GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, SIZE, SIZE, GL.GL_RGBA,
+                               GL.GL_UNSIGNED_BYTE, before[..., [0, 1, 2, 0]].copy())  # fmt: skip
+            GL.glBindTexture(GL.GL_TEXTURE_2D, 0)
             backend.render(STYLE.draws(Layer(tuple(items))))
             assert gl.glGetError() == 0
         found = look.pixels()
