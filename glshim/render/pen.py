@@ -169,9 +169,10 @@ class Pen:
         found = self._programs.get(key)
         if found is None:
             head = f"#version 330\n#define CLIP_PLANES {planes}\n"
+            first = f"{head}#define VERTEX_STAGE\n{DEPTH}{_LINE}"
             try:
                 program = self._context.program(
-                    vertex_shader=f"{head}#define VERTEX_STAGE\n{DEPTH}{_LINE}#line 1\n{shader.vertex}",
+                    vertex_shader=f"{first}#line 1\n{shader.vertex}",
                     fragment_shader=None
                     if varyings
                     else f"{head}{DEPTH}#line 1\n{shader.fragment}",

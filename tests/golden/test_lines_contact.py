@@ -15,8 +15,8 @@ from glshim.geometry.edges import edges
 from glshim.geometry.gather import Places
 from glshim.geometry.lines import RIDGE, Choice, lines
 from glshim.render.backend import Backend
-from glshim.render.laying import triangles
 from glshim.render.driver import gl
+from glshim.render.laying import triangles
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle
