@@ -39,6 +39,8 @@ FIN_TILT = 0.17
 STEEPEST = 5.0
 """Pixels' worth of depth a pixel at which the slope of a plane is cut: 11 degrees to the line of
 sight."""
+FLOOR = 40.0
+"""The same for polygons that turn away at a sharp contour: they may stand on a floor."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -102,8 +104,13 @@ def strokes(
     drawn &= ~((kind == LONE_RIDGE) & (turned < 0.0) & (np.sin(angle) >= 0.0))
 
     deep = pixel_depth(ends[0], side, camera)
+    most = np.where(kind == RING, FLOOR, STEEPEST) * deep
     slopes = np.concatenate(
-        [_bounded(depth_slope(normal, ends[0], camera), deep) for normal in (plane, other)], axis=1
+        [
+            _bounded(depth_slope(plane, ends[0], camera), most),
+            _bounded(depth_slope(other, ends[0], camera), STEEPEST * deep),
+        ],
+        axis=1,
     )
     alone = ~other.any(axis=1)
     slopes[alone, 2:] = slopes[alone, :2]
@@ -120,10 +127,11 @@ def strokes(
                        valley_width, valley_width, intersection_width])[kind]  # fmt: skip
     outwards = np.where(outline, widths - INWARD, widths / 2.0)
     inwards = np.where(outline | lone, -INWARD, -widths / 2.0)
-    steep = np.sqrt(_dot(slopes[:, :2], slopes[:, :2]))
+    occluding = outline & (kind != FIN)
+    steep = np.where(occluding, deep, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])))
     slack = np.select(
-        [kind == FIN, kind == CONTOUR, kind == HOLLOW, kind == RING, lone],
-        [-0.5 * deep, -0.25 * deep, -2.0 * deep, 0.125 * steep, 0.0],
+        [kind == FIN, kind == CONTOUR, kind == HOLLOW, occluding | lone],
+        [-0.5 * deep, -0.25 * deep, -2.0 * deep, 0.0],
         deep,
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
@@ -222,9 +230,9 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     return np.where(past == 0.0, band, np.where(corner, rim, 0.0))
 
 
-def _bounded(slope: Doubles, deep: Doubles) -> Doubles:
+def _bounded(slope: Doubles, most: Doubles) -> Doubles:
     size = np.sqrt(_dot(slope, slope))
-    return np.asarray(slope * np.minimum(1.0, STEEPEST * deep / np.maximum(size, 1e-30))[:, None])
+    return np.asarray(slope * np.minimum(1.0, most / np.maximum(size, 1e-30))[:, None])
 
 
 def _dot(u: Doubles, v: Doubles) -> Doubles:

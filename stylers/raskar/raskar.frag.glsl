@@ -27,10 +27,11 @@ void main() {
     float off = length(vec2(t - on, s));
     if (off > 0.75) {  // nearer, the line itself decides
         vec3 place = point(on);
-        float level = (line_b.z - line_a.z) / span * (t - on);
-        float depth = place.z + min(surface(gl_FragCoord.xy - place.xy), level);
-        float lean = kind == LONE_VALLEY ? STEEPEST : LEAN;
-        if (depth - grain.y - lean * grain.x * off > finished(gl_FragCoord.xy)) discard;
+        vec2 aside = gl_FragCoord.xy - place.xy;
+        float nearest = place.z + min(surface(aside), level(aside)) - grain.y;
+        nearest -= (kind == LONE_VALLEY ? STEEPEST : LEAN) * grain.x * off;
+        float depth = finished(gl_FragCoord.xy);
+        if (depth < nearest && !on_the_floor(place, aside, depth)) discard;
     }
     if (!seen(on)) discard;
     vec4 drawn = vec4(ink, 1.0);

@@ -13,7 +13,8 @@ const float INWARD = 0.5;     // pixels by which the middle of a ring's inner ri
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
 const float FIN_TILT = 0.17;  // cosine between a fin and the line of sight
 const float LONGEST = 24.0;   // pixels of a line that is asked everywhere whether it is seen
-const float STEEPEST = 5.0;   // pixels' worth of depth a pixel at which slopes are cut
+const float STEEPEST = 5.0;   // pixels' worth of depth a pixel at which slopes are cut;
+const float FLOOR = 40.0;     // those of polygons that turn away at a sharp contour
 
 // Normal of the plane that a line lies in. Eye space, all unit; sight is the direction from the
 // side to the viewer.
@@ -32,8 +33,8 @@ vec3 line_plane(int kind, vec3 along, vec3 normal, vec3 sight) {
     return turn.y * outward - turn.x * upright;
 }
 
-vec2 bounded(vec2 slope, float deep) {
-    return slope * min(1.0, STEEPEST * deep / max(length(slope), 1e-30));
+vec2 bounded(vec2 slope, float most) {
+    return slope * min(1.0, most / max(length(slope), 1e-30));
 }
 
 // False when a short line is seen at none of its pixels: most lines behind others go here.
@@ -66,8 +67,8 @@ void main() {
     if (kind == LONE_RIDGE && turned < 0.0 && ridge_turn.y >= 0.0) return;  // behind its polygon
 
     float deep = pixel_depth(eye_a, side);
-    slopes.xy = bounded(depth_slope(plane, eye_a), deep);
-    slopes.zw = edge_other == vec3(0.0) ? slopes.xy : bounded(depth_slope(edge_other, eye_a), deep);
+    slopes.xy = bounded(depth_slope(plane, eye_a), (kind == RING ? FLOOR : STEEPEST) * deep);
+    slopes.zw = edge_other == vec3(0.0) ? slopes.xy : bounded(depth_slope(edge_other, eye_a), STEEPEST * deep);
 
     if (outline && eye_b == edge_b) {
         vec3 eye_c = edge_c, from_b = edge_b;
@@ -80,13 +81,13 @@ void main() {
         }
     }
 
-    float width = widths[max(kind - 2, 0) / 2], steep = length(slopes.xy);
+    float width = widths[max(kind - 2, 0) / 2];
     extent = vec4(outline || lone ? -INWARD : -0.5 * width,
                   outline ? width - INWARD : 0.5 * width, kind, edge_kind.y);
     float slack = kind == FIN ? -0.5 * deep : kind == CONTOUR ? -0.25 * deep
                 : kind == HOLLOW ? -2.0 * deep
-                : kind == RING ? 0.125 * steep : lone ? 0.0 : deep;
-    grain = vec2(deep, slack + hair + blur * steep);
+                : kind == RING || lone ? 0.0 : deep;
+    grain = vec2(deep, slack + hair + blur * (kind < FIN ? deep : length(slopes.xy)));
 
     if (!seen_somewhere()) return;
 

@@ -28,20 +28,36 @@ void take_stroke() {
 // The point of the line t pixels from a: pixels, depth.
 vec3 point(float t) { return line_a + t / span * (line_b - line_a); }
 
-// Depth of the line's surface over the side's own at a place off it: on the farther one of the two
-// polygons of a ridge, on the nearer one else; never behind the side for an outline.
+// What the depth of the side would be at a place off it, over that of its nearest point.
+float level(vec2 off) { return (line_b.z - line_a.z) / span * dot(off, along); }
+
+// Depth of the line's surface over the side's own at a place off it: as deep as the side for what
+// occludes, on the farther one of the two polygons of a ridge, on the nearer one of a valley.
 float surface(vec2 off) {
-    float level = (line_b.z - line_a.z) / span * dot(off, along);
+    if (kind < FIN) return level(off);
     float own = dot(slopes.xy, off), other = dot(slopes.zw, off);
-    if (kind == CONTOUR || kind == HOLLOW) return level;
-    if (kind == RING) return min(own, level);
     return kind == RIDGE ? max(own, other) : min(own, other);
+}
+
+// Whether what is drawn at a place off the side lies in the plane of the polygon that turns away:
+// the floor that a box stands on.
+bool on_the_floor(vec3 place, vec2 off, float depth) {
+    if (kind != RING) return false;
+    float slack = hair + (0.03 + blur) * length(slopes.xy);
+    return abs(place.z + dot(slopes.xy, off) - depth) <= slack;
 }
 
 // Whether the surface beside a place of the line is what is drawn there.
 bool seen_beside(vec3 place, vec2 outwards) {
     vec2 centre = beyond(place.xy, outwards);
     return place.z + surface(centre - place.xy) - grain.y <= finished(centre);
+}
+
+// Whether two pixels beside a place show the floor.
+bool stands(vec3 place) {
+    vec2 one = beyond(place.xy, out_1), two = beyond(place.xy + out_1, out_1);
+    return on_the_floor(place, one - place.xy, finished(one))
+        && on_the_floor(place, two - place.xy, finished(two));
 }
 
 // Section 2.3: the quad lies behind what is drawn beside the line, and that surface, carried on to
@@ -51,8 +67,7 @@ bool lies_between(vec3 place) {
     vec2 off = one - place.xy, step = two - one;
     float near = finished(one), slope = (finished(two) - near) / dot(step, out_1);
     if (near >= place.z + dot(slopes.xy, off) - grain.y) return false;
-    float level = (line_b.z - line_a.z) / span * dot(off, along);
-    float gap = near - slope * dot(off, out_1) - place.z - level;
+    float gap = near - slope * dot(off, out_1) - place.z - level(off);
     return abs(gap) < TRAP * max(grain.x, abs(slope)) + grain.y;
 }
 
@@ -60,12 +75,11 @@ bool seen_at(float t) {
     vec3 place = point(t);
     if (kind == LONE_VALLEY) return lies_between(place);
     bool here = seen_beside(place, out_1);
-    if (kind <= FIN) {
-        // Two pixels beside a smooth contour: flaps of the mesh stand out less. One beside others.
-        if (here != (kind == CONTOUR || kind == HOLLOW)) return here;
-        return seen_beside(place + vec3(out_1, surface(out_1)), out_1);
-    }
-    return here || (kind != LONE_RIDGE && seen_beside(place, -out_1));
+    if (kind == RING) return here || stands(place);
+    if (kind > FIN) return here || (kind != LONE_RIDGE && seen_beside(place, -out_1));
+    // Two pixels beside a smooth contour: flaps of the mesh stand out less. One of two for a fin.
+    return here != (kind == FIN) && seen_beside(place + vec3(out_1, surface(out_1)), out_1)
+        || here && kind == FIN;
 }
 
 // Two of three places along the line: no dots, no holes of a pixel.

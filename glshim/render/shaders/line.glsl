@@ -13,7 +13,6 @@ uniform mat4 unprojection;      // clip to eye
 uniform vec4 viewpoint;         // the viewer in eye space: a point, or (w = 0) a direction to it
 uniform vec4 viewport;          // pixels: its middle, and half its size
 uniform vec2 range;             // window depth of the near and the far plane, turned by away
-uniform float hair;             // a few steps of the depth buffer
 #if CLIP_PLANES > 0
 uniform vec4 clip_planes[CLIP_PLANES];  // the app's, in eye space
 #endif
