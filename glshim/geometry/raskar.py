@@ -18,7 +18,6 @@ projection, and nothing travels along the side.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,13 +33,8 @@ INWARD = 0.5
 not smooth, and the whole pixel beside it has to be ink."""
 EDGE_ON = 0.02
 """Cosine to the line of sight below which a quad is left out: it cannot be seen."""
-FIN_TILT = 0.17
-"""Cosine between a fin and the line of sight."""
-STEEPEST = 5.0
-"""Pixels' worth of depth a pixel at which the slope of a plane is cut: 11 degrees to the line of
-sight."""
-FLOOR = 40.0
-"""The same for polygons that turn away at a sharp contour: they may stand on a floor."""
+STEEPEST = 60.0
+"""Pixels' worth of depth a pixel at which the slope of a plane is cut."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,13 +98,8 @@ def strokes(
     drawn &= ~((kind == LONE_RIDGE) & (turned < 0.0) & (np.sin(angle) >= 0.0))
 
     deep = pixel_depth(ends[0], side, camera)
-    most = np.where(kind == RING, FLOOR, STEEPEST) * deep
     slopes = np.concatenate(
-        [
-            _bounded(depth_slope(plane, ends[0], camera), most),
-            _bounded(depth_slope(other, ends[0], camera), STEEPEST * deep),
-        ],
-        axis=1,
+        [_bounded(depth_slope(normal, ends[0], camera), deep) for normal in (plane, other)], axis=1
     )
     alone = ~other.any(axis=1)
     slopes[alone, 2:] = slopes[alone, :2]
@@ -129,9 +118,11 @@ def strokes(
     inwards = np.where(outline | lone, -INWARD, -widths / 2.0)
     occluding = outline & (kind != FIN)
     steep = np.where(occluding, deep, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])))
+    length = np.hypot(*(finish - start)[:, :2].T)
+    leaning = np.abs(finish[:, 2] - start[:, 2]) / np.maximum(length, 1e-30)
     slack = np.select(
-        [kind == FIN, kind == CONTOUR, kind == HOLLOW, occluding | lone],
-        [-0.5 * deep, -0.25 * deep, -2.0 * deep, 0.0],
+        [kind == CONTOUR, kind == HOLLOW, kind == RING, outline | lone],
+        [-0.25 * deep, -2.0 * deep, np.minimum(leaning, deep), 0.0],
         deep,
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
@@ -171,22 +162,17 @@ def line_planes(
 ) -> Doubles:
     """(L, 3) unit normals of the planes that lines lie in, eye space.
 
-    The polygon's own for a RING (section 2.1) and where the other polygon is known. For lone
-    ridges and valleys ``-N cos t + (E x N) sin t`` with N towards the viewer (2.2, 2.3). FIN:
-    tilted back from the viewer about the side. along, normal (of the winding along a to b) and
+    The polygon's own (section 2.1), but for lone ridges and valleys ``-N cos t + (E x N) sin t``
+    with N towards the viewer (2.2, 2.3). along, normal (of the winding along a to b) and
     sight (from the side to the viewer): (L, 3), unit; angle: (L,) t in radians.
     """
     outward = _unit(np.cross(along, normal))
     upright = np.cross(outward, along)
-    level = _unit(np.cross(along, sight))
-    level *= np.where(_dot(level, outward) < 0.0, -1.0, 1.0)[:, None]
-    seen = _unit(sight - _dot(sight, along)[:, None] * along)
-    fin = FIN_TILT * seen + sqrt(1.0 - FIN_TILT**2) * level
     towards = upright * np.where(_dot(upright, sight) < 0.0, -1.0, 1.0)[:, None]
     quad = np.sin(angle)[:, None] * outward - np.cos(angle)[:, None] * towards
     kinds = kind[:, None]
     lone = (kinds == LONE_RIDGE) | (kinds == LONE_VALLEY)
-    return np.where(kinds == FIN, fin, np.where(lone, quad, upright))
+    return np.where(lone, quad, upright)
 
 
 def depth_slope(normal: Doubles, point: Doubles, camera: Camera) -> Doubles:
@@ -230,9 +216,9 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     return np.where(past == 0.0, band, np.where(corner, rim, 0.0))
 
 
-def _bounded(slope: Doubles, most: Doubles) -> Doubles:
+def _bounded(slope: Doubles, deep: Doubles) -> Doubles:
     size = np.sqrt(_dot(slope, slope))
-    return np.asarray(slope * np.minimum(1.0, most / np.maximum(size, 1e-30))[:, None])
+    return np.asarray(slope * np.minimum(1.0, STEEPEST * deep / np.maximum(size, 1e-30))[:, None])
 
 
 def _dot(u: Doubles, v: Doubles) -> Doubles:

@@ -6,11 +6,13 @@ uniform vec3 ink;
 uniform sampler2D stroke;     // alpha: ink; colour: multiplies ink
 uniform vec2 stroke_size;     // pixels along after which it repeats, or 0 for none; width at v = 1
 
+const float JOINT = 0.02;     // pixels by which strokes of a chain overlap against rounding
 const float LEAN = 1.0;       // pixels' worth of depth by which a line comes nearer in each pixel
-const float STEEPEST = 10.0;  // the same over what hides the quad of a lone valley
+const float STEEPEST = 10.0;  // the same over the walls of a valley
 
 // Share of a pixel off the line by s outwards, by past beyond its ends, that the stroke covers.
 float covered(float s, float past, vec2 from_b) {
+    if (abs(past) < JOINT) past = 0.0;
     float rim = clamp(extent.y + 0.5 - length(vec2(past, s)), 0.0, 1.0);
     if (extent.x == -extent.y) return rim;
     if (past == 0.0) return rim * clamp(s - extent.x + 0.5, 0.0, 1.0);
@@ -29,7 +31,7 @@ void main() {
         vec3 place = point(on);
         vec2 aside = gl_FragCoord.xy - place.xy;
         float nearest = place.z + min(surface(aside), level(aside)) - grain.y;
-        nearest -= (kind == LONE_VALLEY ? STEEPEST : LEAN) * grain.x * off;
+        nearest -= (kind == LONE_VALLEY || kind == VALLEY ? STEEPEST : LEAN) * grain.x * off;
         float depth = finished(gl_FragCoord.xy);
         if (depth < nearest && !on_the_floor(place, aside, depth)) discard;
     }

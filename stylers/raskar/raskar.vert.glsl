@@ -11,22 +11,14 @@ uniform float culling;     // whether lines that are not seen are left out here
 
 const float INWARD = 0.5;     // pixels by which the middle of a ring's inner rim lies inside
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
-const float FIN_TILT = 0.17;  // cosine between a fin and the line of sight
 const float LONGEST = 24.0;   // pixels of a line that is asked everywhere whether it is seen
-const float STEEPEST = 5.0;   // pixels' worth of depth a pixel at which slopes are cut;
-const float FLOOR = 40.0;     // those of polygons that turn away at a sharp contour
+const float STEEPEST = 60.0;  // pixels' worth of depth a pixel at which slopes are cut
 
 // Normal of the plane that a line lies in. Eye space, all unit; sight is the direction from the
 // side to the viewer.
 vec3 line_plane(int kind, vec3 along, vec3 normal, vec3 sight) {
     vec3 outward = normalize(cross(along, normal));
     vec3 upright = cross(outward, along);
-    if (kind == FIN) {
-        vec3 level = normalize(cross(along, sight));
-        level *= dot(level, outward) < 0.0 ? -1.0 : 1.0;
-        vec3 seen = normalize(sight - dot(sight, along) * along);
-        return FIN_TILT * seen + sqrt(1.0 - FIN_TILT * FIN_TILT) * level;
-    }
     if (kind != LONE_RIDGE && kind != LONE_VALLEY) return upright;
     vec2 turn = kind == LONE_RIDGE ? ridge_turn : valley_turn;
     upright *= dot(upright, sight) < 0.0 ? -1.0 : 1.0;
@@ -67,7 +59,7 @@ void main() {
     if (kind == LONE_RIDGE && turned < 0.0 && ridge_turn.y >= 0.0) return;  // behind its polygon
 
     float deep = pixel_depth(eye_a, side);
-    slopes.xy = bounded(depth_slope(plane, eye_a), (kind == RING ? FLOOR : STEEPEST) * deep);
+    slopes.xy = bounded(depth_slope(plane, eye_a), STEEPEST * deep);
     slopes.zw = edge_other == vec3(0.0) ? slopes.xy : bounded(depth_slope(edge_other, eye_a), STEEPEST * deep);
 
     if (outline && eye_b == edge_b) {
@@ -84,9 +76,9 @@ void main() {
     float width = widths[max(kind - 2, 0) / 2];
     extent = vec4(outline || lone ? -INWARD : -0.5 * width,
                   outline ? width - INWARD : 0.5 * width, kind, edge_kind.y);
-    float slack = kind == FIN ? -0.5 * deep : kind == CONTOUR ? -0.25 * deep
-                : kind == HOLLOW ? -2.0 * deep
-                : kind == RING || lone ? 0.0 : deep;
+    float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
+                : kind == RING ? min(abs(line_b.z - line_a.z) / span, deep)
+                : kind == FIN || lone ? 0.0 : deep;
     grain = vec2(deep, slack + hair + blur * (kind < FIN ? deep : length(slopes.xy)));
 
     if (!seen_somewhere()) return;

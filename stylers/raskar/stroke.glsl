@@ -10,7 +10,7 @@ PASSED vec4 slopes;   // depth a pixel on the line's plane and on the other poly
 PASSED vec4 extent;   // pixels outwards between which the ink lies; kind; pixels along at a
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
-const float TRAP = 0.5;       // pixels' worth of depth: half of z2 less z1 of the between-test
+const float MEETING = 0.1;  // pixels' worth of depth by which surfaces that meet may miss
 
 vec2 along, out_1;
 float span;
@@ -32,11 +32,22 @@ vec3 point(float t) { return line_a + t / span * (line_b - line_a); }
 float level(vec2 off) { return (line_b.z - line_a.z) / span * dot(off, along); }
 
 // Depth of the line's surface over the side's own at a place off it: as deep as the side for what
-// occludes, on the farther one of the two polygons of a ridge, on the nearer one of a valley.
+// occludes; on the polygon that lies there, for an edge; on the nearer one at an intersection.
 float surface(vec2 off) {
-    if (kind < FIN) return level(off);
+    if (kind <= FIN) return level(off);
     float own = dot(slopes.xy, off), other = dot(slopes.zw, off);
-    return kind == RIDGE ? max(own, other) : min(own, other);
+    if (kind == INTERSECTION) return min(own, other);
+    return dot(off, out_1) < 0.0 ? own : other;
+}
+
+// Whether the surface beside a place of the line is what is drawn there: nothing is before it, and
+// where it rises towards the viewer it is not behind it either.
+bool seen_beside(vec3 place, vec2 outwards) {
+    vec2 centre = beyond(place.xy, outwards), off = centre - place.xy;
+    float depth = finished(centre), expected = place.z + surface(off);
+    bool hollow = kind > FIN && kind != LONE_RIDGE && dot(slopes.zw - slopes.xy, out_1) < 0.0;
+    if (!hollow) return expected - grain.y <= depth;
+    return abs(expected - depth) <= grain.y + 0.1 * max(length(slopes.xy), length(slopes.zw));
 }
 
 // Whether what is drawn at a place off the side lies in the plane of the polygon that turns away:
@@ -47,12 +58,6 @@ bool on_the_floor(vec3 place, vec2 off, float depth) {
     return abs(place.z + dot(slopes.xy, off) - depth) <= slack;
 }
 
-// Whether the surface beside a place of the line is what is drawn there.
-bool seen_beside(vec3 place, vec2 outwards) {
-    vec2 centre = beyond(place.xy, outwards);
-    return place.z + surface(centre - place.xy) - grain.y <= finished(centre);
-}
-
 // Whether two pixels beside a place show the floor.
 bool stands(vec3 place) {
     vec2 one = beyond(place.xy, out_1), two = beyond(place.xy + out_1, out_1);
@@ -60,26 +65,29 @@ bool stands(vec3 place) {
         && on_the_floor(place, two - place.xy, finished(two));
 }
 
-// Section 2.3: the quad lies behind what is drawn beside the line, and that surface, carried on to
-// the line over two pixels, meets it (z1 and z2 are a pixel apart there).
-bool lies_between(vec3 place) {
-    vec2 one = beyond(place.xy, out_1), two = beyond(place.xy + 1.5 * out_1, out_1);
-    vec2 off = one - place.xy, step = two - one;
-    float near = finished(one), slope = (finished(two) - near) / dot(step, out_1);
-    if (near >= place.z + dot(slopes.xy, off) - grain.y) return false;
-    float gap = near - slope * dot(off, out_1) - place.z - level(off);
-    return abs(gap) < TRAP * max(grain.x, abs(slope)) + grain.y;
+// Sides that know no neighbour. What is drawn beside one, at two pixels, is carried on to the side:
+// where it meets it, it is a neighbour after all. Section 2.2: the quad of a ridge is before it.
+// Section 2.3: the quad of a valley is trapped just behind it.
+bool seen_alone(vec3 place) {
+    vec2 one = beyond(place.xy, out_1) - place.xy;
+    vec2 two = beyond(place.xy + 2.0 * out_1, out_1) - place.xy;
+    float near = finished(place.xy + one) - level(one), far = finished(place.xy + two) - level(two);
+    float slope = (far - near) / dot(two - one, out_1);
+    float gap = near - slope * dot(one, out_1) - place.z;
+    bool meets = abs(gap) < (MEETING + blur) * max(grain.x, abs(slope)) + hair;
+    if (kind == FIN) return !meets && place.z - hair - blur * grain.x <= near;
+    float quad = place.z + dot(slopes.xy, one) - level(one);
+    return meets && (kind == LONE_RIDGE ? quad - grain.y <= near : quad - grain.y > near);
 }
 
 bool seen_at(float t) {
     vec3 place = point(t);
-    if (kind == LONE_VALLEY) return lies_between(place);
+    if (kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY) return seen_alone(place);
     bool here = seen_beside(place, out_1);
     if (kind == RING) return here || stands(place);
-    if (kind > FIN) return here || (kind != LONE_RIDGE && seen_beside(place, -out_1));
-    // Two pixels beside a smooth contour: flaps of the mesh stand out less. One of two for a fin.
-    return here != (kind == FIN) && seen_beside(place + vec3(out_1, surface(out_1)), out_1)
-        || here && kind == FIN;
+    if (kind > FIN) return here || seen_beside(place, -out_1);
+    // Two pixels beside a smooth contour: flaps of the mesh stand out less.
+    return here && seen_beside(place + vec3(out_1, 0.0), out_1);
 }
 
 // Two of three places along the line: no dots, no holes of a pixel.
