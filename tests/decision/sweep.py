@@ -12,13 +12,15 @@ from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look
-from tests.decision.folds import HALF_LENGTH, Variant, View, items, placed
+from tests.decision.folds import DEPTH, HALF_LENGTH, Variant, View, items, placed
 
 SIZE = 384
 """Pixels of the window, square."""
 WIDTH = 4.0
 """Pixels of the lines."""
 _FOV = 60.0
+_PIECE = 1.5
+"""Pixels: short, and yet a strip 2 px wide has a pixel centre in each."""
 NONE, WHOLE, BROKEN = "none", "whole", "broken"
 
 
@@ -36,18 +38,18 @@ class Distance:
         return 2 * HALF_LENGTH / self.away * SIZE / 2 / np.tan(np.radians(_FOV / 2))
 
 
-DISTANCES = (Distance(4.9, 4), Distance(14.0, 12), Distance(28.0, 24))
+DISTANCES = (Distance(4.9, 4), Distance(14.0, 12), Distance(28.0, 16))
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one picture shows: `NONE` (no pixel of ink), `WHOLE` (at least 99 % of the pixels along
+    """What one picture shows: `NONE` (no pixel of ink), `WHOLE` (ink along at least 99 % of
     the fold) or `BROKEN`."""
 
     view: View
     found: str
     share: float
-    """Of the pixels along the fold, those with ink."""
+    """Of the fold, the part with ink; see `classify`."""
 
 
 def outcomes(
@@ -83,41 +85,50 @@ def picture(
     backend.render(style.draws(Layer(tuple(layer))))
     after = look.pixels(SIZE, SIZE)
     GL.glFinish()
-    return after, *classify(before, after, ends, distance.tiles)
+    wide = np.array([view.narrowest for view in views]) * DEPTH / (2 * HALF_LENGTH)
+    return after, *classify(before, after, ends, wide * distance.pixels, distance.tiles)
 
 
 def classify(
-    before: np.ndarray, after: np.ndarray, ends: np.ndarray, tiles: int
+    before: np.ndarray, after: np.ndarray, ends: np.ndarray, wide: np.ndarray, tiles: int
 ) -> tuple[list[str], list[float]]:
-    """Whether the fold of each tile is drawn; ends (N, 2, 2) are its ends in pixels.
+    """Whether the fold of each tile is drawn, and the share of it that is.
 
-    Asked are the pixels whose centre lies within 1 px of the fold, half the line's width and more
-    from its ends. Ink elsewhere in the tile, but for `WIDTH` around the ends, breaks it, too.
+    Ends (N, 2, 2) are the folds' in pixels, wide (N,) the pixels that the narrower face shows.
+    Asked is along the fold, half the line's width and more from its ends: is there ink within 1 px
+    in every piece of 1.5 px, and, where both faces are as wide as half the line and a pixel, in
+    all pixels whose centre lies within 1 px? Ink elsewhere in the tile, but for `WIDTH` around the
+    ends, breaks it, too.
     """
-    ink = 1.0 - after.mean(axis=2) / before.mean(axis=2)
-    rows, columns = np.mgrid[:SIZE, :SIZE]
-    side = SIZE // tiles
-    tile = (rows // side * tiles + columns // side).ravel()
-    held = tile < len(ends)
-    tile, ink = tile[held], ink.ravel()[held]
-    centre = np.stack([columns, rows], axis=2).reshape(-1, 2)[held] + 0.5
-    a, b = ends[tile, 0], ends[tile, 1]
-    length = np.maximum(np.hypot(*(b - a).T), 1e-9)
-    along = (b - a) / length[:, None]
-    way = centre - a
-    off = np.abs(way[:, 0] * along[:, 1] - way[:, 1] * along[:, 0])
-    way = np.einsum("ij,ij->i", way, along)
+    count, side = len(ends), SIZE // tiles
+    ink = 1.0 - after[..., 0] / before[..., 0].astype(np.float32)  # all is grey
+    every = np.zeros((tiles * tiles, 2, 2), np.float32)
+    every[:count] = ends
+    every[count:, 1] = 1.0
+    a, b = (every[:, end].reshape(tiles, 1, tiles, 1, 2) for end in (0, 1))
+    x, y = (b - a)[..., 0], (b - a)[..., 1]
+    length = np.hypot(x, y)
+    x, y = x / length, y / length
+    columns = np.arange(SIZE, dtype=np.float32).reshape(1, 1, tiles, side) + 0.5 - a[..., 0]
+    rows = np.arange(SIZE, dtype=np.float32).reshape(tiles, side, 1, 1) + 0.5 - a[..., 1]
+    off, way = np.abs(columns * y - rows * x), columns * x + rows * y
+    dark = ink.reshape(tiles, side, tiles, side)
     trim = np.minimum(WIDTH / 2, 0.3 * length)
     core = (off <= 1.0) & (way > trim) & (way < length - trim)
-    count = len(ends)
-    asked = np.bincount(tile[core], minlength=count)
-    inked = np.bincount(tile[core & (ink > 0.5)], minlength=count)
-    beyond = np.maximum(np.maximum(-way, way - length), 0.0)
-    at_end = (beyond > 0) & (beyond <= WIDTH) & (off <= WIDTH)
-    touched = np.bincount(tile[(ink > 0.02) & ~at_end], minlength=count)
-    if (asked == 0).any():
+    touched = dark > 0.02
+    touched &= ~((off <= WIDTH) & ((way < 0) & (way >= -WIDTH)
+                 | (way > length) & (way <= length + WIDTH)))  # fmt: skip
+    touched = touched.any(axis=(1, 3)).ravel()[:count]
+    tile = np.broadcast_to(np.arange(tiles**2).reshape(tiles, 1, tiles, 1), core.shape)[core]
+    piece = tile * SIZE + ((way - trim)[core] / _PIECE).astype(int)
+    piece, inked = piece[tile < count], (dark[core] > 0.5)[tile < count]
+    pieces = np.bincount(piece, minlength=count * SIZE).reshape(count, SIZE)
+    inked = np.bincount(piece, inked, count * SIZE).reshape(count, SIZE)
+    if not pieces.any(axis=1).all():
         raise ValueError("a fold is too short on the screen to be asked about")
-    share = inked / asked
+    share = (inked > 0).sum(axis=1) / (pieces > 0).sum(axis=1)
+    full = inked.sum(axis=1) / pieces.sum(axis=1)
+    share = np.where(wide > WIDTH / 2 + 1, np.minimum(share, full), share)
     found = [WHOLE if s >= 0.99 else BROKEN if t else NONE
              for s, t in zip(share, touched, strict=True)]  # fmt: skip
     return found, share.tolist()

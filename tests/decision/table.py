@@ -132,10 +132,11 @@ neither ridge nor valley, where one of each. Directions follow the fold: 22 of 5
 fronts show, 22 at which both backs do (a fold of 1 degree shows both faces only from a wedge
 1 degree wide), 6 at which one of each does.
 
-A picture counts as drawn where at least 99 % of the pixels along the fold carry ink, as not drawn
-where no pixel at all does, as *in part* otherwise. *Missing* and *extra* are wrong decisions
-outside the band of 1 degree around the threshold. Within the band the picture may be either, never
-in part; besides whole degrees it is looked at
+A picture counts as drawn where ink lies within 1 px along at least 99 % of the fold (and, where
+both faces show 3 px and more of themselves, on 99 % of all pixels within 1 px; lines are
+{WIDTH:g} px wide), as not drawn where no pixel at all carries ink, as *in part* otherwise.
+*Missing* and *extra* are wrong decisions outside the band of 1 degree around the threshold. Within
+the band the picture may be either, never in part; besides whole degrees it is looked at
 {", ".join(f"{s:g}" for s in _CLOSE if s > 0)} degrees on either side.
 
 The fold comes as one batch of two quads, as two objects (a batch and a modelview each: the fold is
