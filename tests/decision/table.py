@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -68,10 +69,10 @@ def all_angles(threshold: float) -> list[float]:
 
 
 def quick_angles(threshold: float) -> list[float]:
-    """The ends, both sides of the threshold, and a few drawn by a seed."""
+    """The ends, nearly closed ones, both sides of the threshold, and a few drawn by a seed."""
     seeded = np.random.default_rng(round(10 * threshold)).integers(2, 359, 6).tolist()
     beside = [threshold - 1, threshold + 1, 359 - threshold, 361 - threshold]
-    return [1.0, 359.0, *map(float, beside + seeded), *_close(threshold, (-0.02, 0.05))]
+    return [1.0, 5.0, 355.0, 359.0, *map(float, beside + seeded), *_close(threshold, (-0.02, 0.05))]
 
 
 def _close(threshold: float, steps: Sequence[float]) -> list[float]:
@@ -86,10 +87,13 @@ def row(  # noqa: PLR0917
     distance: Distance,
     angles: Sequence[float],
     count: int = DIRECTIONS,
+    **options: Any,
 ) -> Row:
-    """Render folds of angles (degrees) in the current window from count directions each."""
+    """Render folds of angles (degrees) in the current window from count directions each; options
+    are further ones of the style."""
     made = Row(kind, threshold, variant, distance)
-    style = only(f"{kind}s", **{f"{kind}_angle": threshold, f"{kind}_width": WIDTH})
+    options = {f"{kind}_angle": threshold, f"{kind}_width": WIDTH} | options
+    style = only(f"{kind}s", **options)
     seen = [view for angle in angles for view in views(angle, count)]
     for outcome in outcomes(backend, style, seen, distance, variant):
         made.count(outcome)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from itertools import combinations
 
 import numpy as np
 
@@ -79,19 +80,33 @@ def threshold() -> Scene:
     )
 
 
+def icosahedron(radius) -> PolygonBatch:
+    """Twenty triangles that fold by 138 degrees."""
+    g = (1 + 5**0.5) / 2
+    points = np.array([p for s in (1, -1) for t in (g, -g)
+                       for p in ((0, s, t), (s, t, 0), (t, 0, s))])  # fmt: skip
+    faces = []
+    for face in combinations(range(12), 3):
+        a, b, c = points[list(face)]
+        if max(np.linalg.norm(u - v) for u, v in ((a, b), (b, c), (a, c))) < 2.1:
+            faces.append(face if np.cross(b - a, c - a) @ a > 0 else face[::-1])
+    return look.batch(points * radius / np.hypot(1, g), faces)
+
+
 def cracks() -> Scene:
-    """A coarse ball with ridges of 40 px on every edge."""
+    """An icosahedron with ridges of 40 px."""
     return Scene(
         "cracks",
         "cracks between wide quads",
-        "Ridges of 40 px on every edge of a coarse ball: cracks open between the quads of "
-        "neighbouring edges and spikes leave those that are seen edge-on; corners are filled, and "
-        "no quad reaches farther than its width.",
-        [(look.sphere(10, 7, 1.45), _camera((3.3, -4, 2.2), fov=34.0))],
+        "Ridges of 40 px on an icosahedron: quads of neighbouring edges are cut off apart and do "
+        "not meet, and spikes leave those that are seen edge-on; corners are filled, and nothing "
+        "reaches farther than its width.",
+        [(icosahedron(1.43), _camera((1, -5, 1.7), fov=32.0))],
         lambda p: measure.gaps_along(p, 40),
-        silhouette_width=6,
+        silhouette_width=20,
         ridge_width=40,
-        ridge_angle=179,
+        ridge_angle=175,
+        crop=(10, 210, 200, 400),
     )
 
 
@@ -212,6 +227,20 @@ def sheets() -> Scene:
         quads.append((look.batch(corners, [[0, 1, 2, 3]]), camera))
     return Scene(
         "sheets", "sheets before a wall", "", quads, lambda p: measure.gaps_around(p, 10),
+        behind=[(_wall(), camera)], silhouette_width=10,
+    )  # fmt: skip
+
+
+def before_wall(shape: str, gap: float, eye) -> Scene:
+    """A "slab", a "ball" or a "can", a gap before a wall, with silhouettes of 10 px."""
+    if shape == "slab":
+        body = box((-0.5, -gap - 0.25, -0.4), (0.5, -gap, 0.4))
+    else:
+        made = look.sphere(24, 14, 0.4) if shape == "ball" else prism(24, 0.4, 0.4)
+        body = look.batch(made.positions - (0, 0.4 + gap, 0), look.polygons_of(made))
+    camera = _camera(eye, fov=18.0)
+    return Scene(
+        shape, shape, "", [(body, camera)], lambda p: measure.gaps_around(p, 10),
         behind=[(_wall(), camera)], silhouette_width=10,
     )  # fmt: skip
 
