@@ -50,7 +50,9 @@ def draw(
         turn, shift = camera.modelview[:3, :3], camera.modelview[:3, 3]
         for polygon in look.polygons_of(batch):
             corners = batch.positions[polygon].astype(float) @ turn.T + shift
-            normal = _unit(np.cross(corners[1] - corners[0], corners[2] - corners[0]))
+            corners = corners[np.abs(corners - np.roll(corners, 1, axis=0)).max(axis=1) > 1e-9]
+            spokes = corners - corners.mean(axis=0)
+            normal = _unit(np.cross(spokes, np.roll(spokes, -1, axis=0)).sum(axis=0))
             if normal @ corners[0] < 0:
                 _fill(corners, shade)
                 if quad_width is not None:

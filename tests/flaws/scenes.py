@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import combinations
 
 import numpy as np
 
@@ -80,33 +79,17 @@ def threshold() -> Scene:
     )
 
 
-def icosahedron(radius) -> PolygonBatch:
-    """Twenty triangles that fold by 138 degrees."""
-    g = (1 + 5**0.5) / 2
-    points = np.array([p for s in (1, -1) for t in (g, -g)
-                       for p in ((0, s, t), (s, t, 0), (t, 0, s))])  # fmt: skip
-    faces = []
-    for face in combinations(range(12), 3):
-        a, b, c = points[list(face)]
-        if max(np.linalg.norm(u - v) for u, v in ((a, b), (b, c), (a, c))) < 2.1:
-            faces.append(face if np.cross(b - a, c - a) @ a > 0 else face[::-1])
-    return look.batch(points * radius / np.hypot(1, g), faces)
-
-
 def cracks() -> Scene:
-    """An icosahedron with ridges of 40 px."""
+    """The inner side of a coarse ring with ridges of 40 px."""
     return Scene(
         "cracks",
         "cracks between wide quads",
-        "Ridges of 40 px on an icosahedron: quads of neighbouring edges are cut off apart and do "
-        "not meet, and spikes leave those that are seen edge-on; corners are filled, and nothing "
-        "reaches farther than its width.",
-        [(icosahedron(1.43), _camera((1, -5, 1.7), fov=32.0))],
+        "Ridges of 40 px round a coarse ring: wedges stay open between the quads of edges that "
+        "follow each other; the stroke of each edge ends round, and none stays.",
+        [(look.torus(16, 8, 1.0, 0.6), _camera((0, -3, 4), fov=24.0))],
         lambda p: measure.gaps_along(p, 40),
-        silhouette_width=20,
         ridge_width=40,
-        ridge_angle=175,
-        crop=(10, 210, 200, 400),
+        ridge_angle=150,
     )
 
 
