@@ -53,7 +53,8 @@ def main() -> int:
                     for fault in rows[-1].faults[: options.show]:
                         print("   ", fault)
     if options.write:
-        options.write.write_text(document(rows, " ".join(sys.argv[1:])), "utf-8")
+        words = " ".join(sys.argv[1:]).replace(f"--show {options.show} ", "")
+        options.write.write_text(document(rows, words), "utf-8")
     return int(any(getattr(r, name) for r in rows for name in COUNTS))
 
 
