@@ -3,11 +3,11 @@
 Ink is a pixel whose colour moved at least a tenth of the way to the ink's. With width the width
 of a place's line in pixels:
 
-* an ink pixel is right when its centre lies within width + 1 of a place that is SURE or UNSURE;
+* an ink pixel is right when its centre lies within width + 1 of a place that is not HIDDEN;
 * a SURE place is found when the centre of an ink pixel lies within width + 1 of it. `close` is
   the same within 1.5 pixels, whatever the width: stricter than the score asks;
 * a dot is an 8-connected component of fewer than 6 ink pixels that the picture's border does not
-  cut, unless what is true there (SURE or UNSURE places that lie together, within width + 1 of it)
+  cut, unless what is true there (places not HIDDEN that lie together, within width + 1 of it)
   is itself so short: its length times its width is less than 6.
 """
 
@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tests import oracle
-from tests.score.sight import HIDDEN, SURE, UNSURE, Places
+from tests.score.sight import BESIDE, HIDDEN, SURE, UNSURE, Places
 
 LEAST_ALPHA = 0.1
 SLACK = 1.0
@@ -37,6 +37,7 @@ class Verdict:
     found: int
     close: int
     unsure: int
+    beside: int
     dots: list[tuple[int, int]]
     """Column and row from the lower left of one pixel of each."""
     stray_at: np.ndarray
@@ -62,7 +63,7 @@ def inked(before, after) -> np.ndarray:
 def judge(ink, truths: Sequence[tuple[Places, float]]) -> Verdict:
     """Ink (h, w) against places and the width of their lines."""
     allowed = np.zeros(ink.shape, bool)
-    sure = found = close = unsure = 0
+    sure = found = close = unsure = beside = 0
     missed = []
     reached: dict[float, np.ndarray] = {}
     for places, width in truths:
@@ -75,6 +76,7 @@ def judge(ink, truths: Sequence[tuple[Places, float]]) -> Verdict:
         hit = _reaches(reached[width + SLACK], ink, points, width + SLACK)
         sure += len(points)
         unsure += int((places.sight == UNSURE).sum())
+        beside += int((places.sight == BESIDE).sum())
         found += int(hit.sum())
         close += int(_reaches(reached[CLOSE], ink, points, CLOSE).sum())
         missed.append(points[~hit])
@@ -86,6 +88,7 @@ def judge(ink, truths: Sequence[tuple[Places, float]]) -> Verdict:
         found,
         close,
         unsure,
+        beside,
         _dots(ink, truths),
         stray,
         np.concatenate([np.empty((0, 2)), *missed]),

@@ -2,17 +2,23 @@
 
 A place is hidden when a triangle that is not of its own polygons covers it nearer to the viewer.
 The same is asked a pixel away in eight directions, where the place's own polygons are continued,
-each to its own side of the line (on the other side: at the place's own depth). Then a place is
+each to its own side of the line (on the other side: at the place's own depth). To call a place
+hidden they are taken to come nearer by at most 3 pixels' worth of depth: a steep polygon does not
+reach through whatever hides its edge. Then a place is
 
 * SURE where it is seen, and a pixel around it nothing stands in front by more than 3 pixels'
   worth of depth: no occluder ends within a pixel;
 * HIDDEN where it is hidden, and so is everything a pixel around it;
-* UNSURE otherwise: within a pixel of an occlusion boundary, or nearer to the hiding surface than
-  the depth buffer resolves, or of a doubtful line.
+* UNSURE where it is seen, but within a pixel of an occlusion boundary, or no nearer than depth
+  resolves, or on a doubtful line;
+* BESIDE where it is hidden, but within a pixel of an occlusion boundary.
+
+Ink may lie on places that are UNSURE or BESIDE, or not.
 """
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +26,7 @@ import numpy as np
 from glshim.geometry.camera import Camera
 from tests.score.truth import Body, Lines, eye_space, window_space
 
-HIDDEN, UNSURE, SURE = range(3)
+HIDDEN, BESIDE, UNSURE, SURE = range(4)
 NOISE = 4 * 2.0**-24
 """Window depth that a 24-bit buffer and single precision do not resolve."""
 _MARGIN = 3.0
@@ -38,7 +44,7 @@ class Places:
     points: np.ndarray
     """(N, 3) pixels and window depth."""
     sight: np.ndarray
-    """(N,) HIDDEN, UNSURE or SURE."""
+    """(N,) HIDDEN, BESIDE, UNSURE or SURE."""
     length: np.ndarray
     """(N,) pixels of line that each stands for."""
 
@@ -99,7 +105,8 @@ class Scene:
         ndc = (points - (x, y, near)) / (width, height, far - near) * 2 - 1
         eye = np.c_[ndc, np.ones(len(points))] @ inverse.T
         eye = eye[:, :3] / eye[:, 3:]
-        beside = np.c_[ndc + (2 / width, 0, 0), np.ones(len(points))] @ inverse.T
+        step = np.array((2 / width, 0, 0))
+        beside = np.c_[ndc + step, np.ones(len(points))] @ inverse.T
         footprint = np.linalg.norm(beside[:, :3] / beside[:, 3:] - eye, axis=1)
         sight = (0, 0, 1) if not camera.projection[3, :3].any() else -eye
         sight = sight / np.linalg.norm(np.atleast_2d(sight), axis=1)[:, None]
@@ -111,6 +118,7 @@ class Scene:
         (N, 2) between polygons (N, 2); through: the polygons lie on both sides of the line."""
         around = self._own_depth(points, polygons, along, through)
         margin = _MARGIN * self.pixel_deep(points)
+        at_most = np.maximum(around, points[:, 2:] - margin[:, None])
         covered = np.zeros((len(points), len(_AROUND)), bool)
         crowded = np.zeros(len(points), bool)
         tied = np.zeros(len(points), bool)
@@ -122,15 +130,17 @@ class Scene:
             for k, offset in enumerate(_AROUND):
                 u_k, v_k = u + beside_u @ offset, v + beside_v @ offset
                 inside = np.minimum(np.minimum(u_k, v_k), 1 - u_k - v_k) >= -1e-9
-                behind = around[place, k] - (z + slope @ offset)
-                covered[place[inside & (behind > NOISE)], k] = True
+                z_k = z + slope @ offset
+                behind = around[place, k] - z_k
+                covered[place[inside & (at_most[place, k] - z_k > NOISE)], k] = True
                 if k:
                     crowded[place[inside & (behind > margin[place] + NOISE)]] = True
                 else:
                     tied[place[inside & (np.abs(behind) <= NOISE)]] = True
         hidden = covered[:, 0]
-        sight = np.where(hidden | tied | crowded, UNSURE, SURE)
-        sight[hidden & covered.all(axis=1)] = HIDDEN
+        sight = np.where(tied | crowded, UNSURE, SURE)
+        sight[hidden] = BESIDE
+        sight[covered.all(axis=1)] = HIDDEN
         return sight
 
     def _own_depth(self, points, polygons, along, through):
@@ -152,7 +162,7 @@ class Scene:
         counts = self._starts[tile + 1] - self._starts[tile]
         parts = np.cumsum(counts) // _PART
         cuts = np.flatnonzero(np.diff(parts, prepend=-1, append=-1)) if len(points) else []
-        for begin, end in zip(cuts[:-1], cuts[1:], strict=True):
+        for begin, end in itertools.pairwise(cuts):
             some = counts[begin:end]
             place = np.repeat(np.arange(begin, end), some)
             within = np.arange(len(place)) - np.repeat(np.cumsum(some) - some, some)

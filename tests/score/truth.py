@@ -138,9 +138,7 @@ def window_space(eye, camera: Camera) -> np.ndarray:
     return low + (ndc + 1) / 2 * (width, height, far - near)
 
 
-def lines(
-    mesh: Body, camera: Camera, ridge_angle: float, valley_angle: float
-) -> dict[str, Lines]:
+def lines(mesh: Body, camera: Camera, ridge_angle: float, valley_angle: float) -> dict[str, Lines]:
     """The lines of each of `KINDS`, seen or hidden."""
     eye = eye_space(mesh.points, camera)
     window = window_space(eye, camera)
@@ -159,18 +157,19 @@ def lines(
     meeting = np.stack([mesh.polygon[one], mesh.polygon[other]], axis=1)
     meeting[counts == 1, 1] = -1
     segments = window[np.stack([low[one], high[one]], axis=1)]
-    angle = _fold(eye, normal, middle, camera, one, other, mesh)
+    pair = (mesh.polygon[one], mesh.polygon[other])
+    angle = _fold(eye[ends[one, 0]], normal, middle, pair, camera)
     crowd = ~contour & (counts > 2)
     folded = ~contour & (counts == 2)
     ridge = folded & (angle <= ridge_angle + _TIE)
     valley = folded & (angle > valley_angle - _TIE)
     found = {"silhouettes": Lines(segments[contour], meeting[contour], counts[contour] < 0)}
-    for kind, which, limit in (
+    for kind, folds, limit in (
         ("ridges", ridge, ridge_angle),
         ("valleys", valley, valley_angle),
     ):
         tie = crowd | (np.abs(angle - limit) <= _TIE)
-        which = which | crowd
+        which = folds | crowd
         found[kind] = Lines(segments[which], meeting[which], tie[which])
     crossed = window_space(eye_space(mesh.crossed, camera), camera)
     found["intersections"] = Lines(crossed, mesh.crossers, np.zeros(len(crossed), bool), True)
@@ -193,17 +192,17 @@ def _planes(mesh: Body, eye, window):
     return normal, middle / np.maximum(weight, 1)[:, None], flat > 0
 
 
-def _fold(eye, normal, middle, camera, one, other, mesh: Body):
-    """(G,) degrees between the polygons of sides one and other, behind the seen surface."""
-    at = eye[mesh.sides[one, 0]]
+def _fold(at, normal, middle, pair, camera):
+    """(G,) degrees between the polygons of a pair (G,), (G,) that meet at points at (G, 3) in eye
+    space, measured behind the surface that is seen."""
     parallel = not camera.projection[3, :3].any()
     towards = np.array((0.0, 0.0, 1.0)) if parallel else -at
     seen = []
-    for side in (one, other):
-        n = normal[mesh.polygon[side]]
+    for polygon in pair:
+        n = normal[polygon]
         seen.append(n * np.where((n * towards).sum(axis=1) < 0, -1.0, 1.0)[:, None])
     bend = np.degrees(
         np.arctan2(np.linalg.norm(np.cross(*seen), axis=1), (seen[0] * seen[1]).sum(axis=1))
     )
-    hollow = ((middle[mesh.polygon[other]] - at) * seen[0]).sum(axis=1) > 0
+    hollow = ((middle[pair[1]] - at) * seen[0]).sum(axis=1) > 0
     return np.where(hollow, 180 + bend, 180 - bend)

@@ -16,7 +16,7 @@ from stylers.raskar import Raskar
 from tests import look
 from tests.score import truth
 from tests.score.ink import Verdict, inked, judge
-from tests.score.sight import HIDDEN, Places, Scene, places
+from tests.score.sight import BESIDE, SURE, UNSURE, Places, Scene, places
 
 SIZE = 480
 _OPTIONS = frozenset(f.name for f in fields(Raskar))
@@ -48,13 +48,14 @@ class Tally:
     found: int = 0
     close: int = 0
     unsure: int = 0
+    beside: int = 0
     dots: list[tuple[int, int, int]] = field(default_factory=list)
     """View, column, row."""
     worst: float = 2.0
     worst_view: int = -1
 
     def add(self, view: int, verdict: Verdict) -> None:
-        for name in ("ink", "right", "sure", "found", "close", "unsure"):
+        for name in ("ink", "right", "sure", "found", "close", "unsure", "beside"):
             setattr(self, name, getattr(self, name) + getattr(verdict, name))
         self.dots += [(view, x, y) for x, y in verdict.dots]
         least = min(verdict.precision, verdict.recall)
@@ -75,7 +76,13 @@ class Tally:
 
     @property
     def unsure_share(self) -> float:
+        """Of the places that are seen, those that may go without ink."""
         return self.unsure / max(self.unsure + self.sure, 1)
+
+    @property
+    def beside_share(self) -> float:
+        """Places that are hidden but may have ink, over those that are seen."""
+        return self.beside / max(self.unsure + self.sure, 1)
 
     def passes(self, limit: float) -> bool:
         return self.precision >= limit and self.recall >= limit and not self.dots
@@ -147,13 +154,13 @@ COLOURS = {
 
 
 def truth_picture(view: View) -> np.ndarray:
-    """The truth over the mesh: each kind in its colour, pale where it is UNSURE; row 0 on top."""
+    """The truth over the mesh: each kind in its colour, pale where it is not SURE; row 0 on top."""
     picture = view.before.copy()
     for kind, true in view.places.items():
-        for seen in (1, 2):
+        for seen in (BESIDE, UNSURE, SURE):
             at = np.floor(true.points[true.sight == seen, :2]).astype(int)
             colour = np.array(COLOURS[kind])
-            picture[at[:, 1], at[:, 0]] = colour if seen == 2 else (colour + 2 * 230) // 3
+            picture[at[:, 1], at[:, 0]] = colour if seen == SURE else (colour + 2 * 230) // 3
     return picture[::-1]
 
 
@@ -172,8 +179,3 @@ def error_picture(view: View, name: str) -> np.ndarray:
         ring = np.clip(ring, 0, SIZE - 1)
         picture[ring[:, 1], ring[:, 0]] = (255, 0, 255)
     return picture[::-1]
-
-
-def any_true(view: View) -> dict[str, int]:
-    """Places of each kind that are not hidden."""
-    return {kind: int((p.sight != HIDDEN).sum()) for kind, p in view.places.items()}
