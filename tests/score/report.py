@@ -76,10 +76,10 @@ command says otherwise, each kind of line alone and all together.
 * **dots**: 8-connected ink of fewer than 6 pixels, unless the picture's border cuts it or the true
   line there is as short.
 * **worst view**: the lesser of precision and recall in the worst of the views.
-* **unsure**: of the places that are seen, those within a pixel of an occlusion boundary or nearer to
-  what lies there than depth resolves. **beside**: places that are hidden, but within a pixel of an
-  occlusion boundary, over those that are seen. Ink may be on either or not; the second may exceed
-  100 % where a noisy surface turns away.
+* **unsure**: of the places that are seen, those within a pixel of an occlusion boundary or nearer
+  to what lies there than depth resolves. **beside**: places that are hidden, but within a pixel of
+  an occlusion boundary, over those that are seen. Ink may be on either or not; the second may
+  exceed 100 % where a noisy surface turns away.
 
 Truth: `tests/score/truth.py` (edges by welded corners, crossings by triangle against triangle) and
 `tests/score/sight.py` (rays in float64), independent of what draws. `--out DIR` writes pictures
