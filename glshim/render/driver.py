@@ -17,6 +17,7 @@ SIGNATURES.update(
         "glBlitFramebuffer": "iiiiiiiiuu",
         "glCheckFramebufferStatus": "u>u",
         "glClear": "u",
+        "glClearBufferuiv": "uip",
         "glClearColor": "ffff",
         "glClearDepth": "d",
         "glColorMaski": "ubbbb",
