@@ -33,7 +33,7 @@ _ROUNDING = 4.0 * float(np.finfo(np.float32).eps)
 """Over the largest coordinate: by how much apps miss a plane that they mean."""
 _SLIVER = 1e-6
 """Area over a square of a triangle's size, below which it joins nothing."""
-_ROUNDS = 32
+_ROUNDS = 12
 """Triangles by which curves are followed from what was seen: hides the gaps between pixels,
 and does not run along all that is hidden."""
 
@@ -120,10 +120,8 @@ def trace(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
         kept.append(fresh[met.touch])
         # Around a corner of one mesh all triangles touch: that leads nowhere.
         pair = pair[met.touch & np.where(met.cross, met.shared < 2, met.shared == 0)]
-        step = np.empty((len(pair), 6, 2), np.intp)
-        step[:, :3, 0], step[:, 3:, 0] = beside[pair[:, 0]], pair[:, :1]
-        step[:, :3, 1], step[:, 3:, 1] = pair[:, 1:], beside[pair[:, 1]]
-        fresh = np.setdiff1d(_codes(step.reshape(-1, 2), total), known, assume_unique=True)
+        step = _codes(_steps(beside, pair).reshape(-1, 2), total)
+        fresh = np.setdiff1d(step, known, assume_unique=True)
         known = np.concatenate((known, fresh))
     found = np.concatenate(kept)
     return np.stack(np.divmod(found, max(total, 1)), axis=1)
@@ -181,11 +179,47 @@ def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np
     return made
 
 
-def promising(triangles: Triangles, pairs: Indices) -> Flags:
-    """(N,) whether pairs (N, 2) have more than a point and not just a side in common: cheap to
-    ask before neighbours are known."""
+def sift(triangles: Triangles, pairs: Indices) -> tuple[Indices, Indices]:
+    """Of pairs (N, 2), before neighbours are known: (K, 2) those that have more than a point and
+    not just a side in common, (L, 2) those that lie near each other without a common corner."""
     met = _meet(triangles[pairs[:, 0]], triangles[pairs[:, 1]])
-    return met.cross & (met.shared < 2)
+    return pairs[met.cross & (met.shared < 2)], pairs[~met.touch & (met.shared == 0)]
+
+
+def approach(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
+    """(K, 2) pairs around the places to which pairs (N, 2) lead, along both meshes, as long as
+    they come nearer to each other.
+
+    Where triangles are smaller than pixels, or seen from the edge, a pixel names such as lie near
+    an intersection rather than those that cross.
+    """
+    total = len(beside)
+    fresh, kept = _codes(pairs, total), [np.empty((0, 2), np.intp)]
+    for _ in range(_ROUNDS):
+        pair = np.stack(np.divmod(fresh, max(total, 1)), axis=1)
+        if not len(pair):
+            break
+        step = np.concatenate((pair[:, None], _steps(beside, pair)), axis=1)
+        valid = (step >= 0).all(axis=2) & (step[:, :, 0] != step[:, :, 1])
+        middles = triangles[np.maximum(step, 0).ravel()].sum(axis=1).reshape(*step.shape, 3)
+        apart = ((middles[:, :, 0] - middles[:, :, 1]) ** 2).sum(axis=2)
+        best = np.where(valid, apart, np.inf).argmin(axis=1)
+        kept.append(pair[best == 0])
+        moved = best > 0
+        fresh = _codes(step[moved, best[moved]], total)
+    around = [
+        np.concatenate((found[:, None], beside[found]), axis=1)
+        for found in np.concatenate(kept).T
+    ]
+    both = np.stack(np.broadcast_arrays(around[0][:, :, None], around[1][:, None]), axis=3)
+    return np.stack(np.divmod(_codes(both.reshape(-1, 2), total), max(total, 1)), axis=1)
+
+
+def _steps(beside: Indices, pairs: Indices) -> Indices:
+    """(N, 6, 2) pairs (N, 2) with one of the two moved to a neighbour, which may be -1."""
+    step = np.repeat(pairs[:, None], 6, axis=1)
+    step[:, :3, 0], step[:, 3:, 1] = beside[pairs[:, 0]], beside[pairs[:, 1]]
+    return step
 
 
 def _meet(first: Doubles, second: Doubles) -> _Meeting:

@@ -327,12 +327,12 @@ class Crossings:
 
 def _lines(scene: _Scene, seeds: Indices) -> Floats:
     """(L, 18) line records of seeds (N, 2) and what follows from them."""
-    if len(seeds):
-        seeds = seeds[crossings.promising(scene, seeds)]
-    if not len(seeds):
+    found, near = crossings.sift(scene, seeds)
+    if not len(found):  # as a rule: neighbours are not even looked for
         return np.empty((0, crossings.RECORD), np.float32)
     beside = scene.neighbours(seeds)
-    return crossings.records(scene, beside, crossings.trace(scene, beside, seeds))
+    found = np.concatenate((found, crossings.approach(scene, beside, near)))
+    return crossings.records(scene, beside, crossings.trace(scene, beside, found))
 
 
 def _here(camera: Camera) -> Camera:
