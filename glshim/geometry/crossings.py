@@ -18,12 +18,9 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.edges import Doubles, Flags, Indices, _cross, _neighbours, _unit
-
-INTERSECTION = 5
-"""Kind of line."""
-RECORD = 18
-"""Floats of one record: a, b, c, the two normals (3 each), kind, side, start."""
+from glshim.geometry import edges
+from glshim.geometry.edges import Doubles, Flags, Indices, _cross, _unit
+from glshim.geometry.lines import INTERSECTION, RECORD
 
 _PARALLEL = np.radians(0.5)
 """Angle between planes, radians, below which they have no line in common."""
@@ -86,17 +83,16 @@ def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None =
 
 
 def _sides(triangles: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(3 T, 9) each side's ends and the corner that faces it."""
+    """(3 T, 6) both ends of each side."""
     corners = np.asarray(triangles, np.float32)
-    turned = [corners[:, [k, (k + 1) % 3, (k + 2) % 3]].reshape(-1, 1, 9) for k in range(3)]
-    return np.concatenate(turned, axis=1).reshape(-1, 9)
+    return np.stack((corners, corners[:, [1, 2, 0]]), axis=2).reshape(-1, 6)
 
 
 def _pair(
     found: Indices, sides: NDArray[np.float32], among: Indices, owner: NDArray[np.int32] | None
 ) -> None:
     """Note the other side of each edge that has two among some sides."""
-    order, first, _ = _neighbours(sides[among], owner)
+    order, first, _ = edges.neighbours(sides[among], owner)
     at = first[np.diff(first, append=len(order)) == 2]
     one, other = among[order[at]], among[order[at + 1]]
     found[one], found[other] = other, one
@@ -168,14 +164,14 @@ def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Dou
 
 
 def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np.float32]:
-    """(L, 18) float32 line records, eye space, of what `segments` finds; see `RECORD`."""
+    """(L, 17) float32 records, eye space, of what `segments` finds: `glshim.geometry.lines`."""
     ends, rows = segments(triangles, beside, pairs)
     made = np.zeros((len(rows), RECORD), np.float32)
     made[:, :6] = ends.reshape(-1, 6)
     made[:, 6:9] = ends[:, 1]
     for part in (0, 1):
         made[:, 9 + 3 * part : 12 + 3 * part] = _normals(triangles[pairs[rows, part]])
-    made[:, 15], made[:, 16] = INTERSECTION, 1.0
+    made[:, 15] = INTERSECTION
     return made
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from importlib.resources import files
 from typing import Any
@@ -25,16 +25,17 @@ from glshim.errors import RenderError
 from glshim.geometry import crossings
 from glshim.geometry.camera import Camera
 from glshim.geometry.edges import Doubles, Indices, join
-from glshim.render.cameras import MOST_CLIP_PLANES, set_up
-from glshim.render.canvas import triangles
-from glshim.render.driver import gl
+from glshim.geometry.lines import RECORD
+from glshim.render.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
+from glshim.render.depth import UNIT, Box
+from glshim.render.driver import gl, integer
+from glshim.render.laying import triangles
 from glshim.styling.protocol import Draw
 
 _SMALL = 512
 """Triangles up to which what has one modelview is drawn together with others."""
-_MOST = 1 << 30
-_LARGEST = 8192
-_UNIT = 13
+_MOST_TRIANGLES, _MOST_PIXELS = 1 << 30, 1 << 24
+_UNIT = 12
 _FRAMEBUFFER, _DRAW, _READ = 0x8D40, 0x8CA9, 0x8CA8
 _DRAW_BINDING, _READ_BINDING = 0x8CA6, 0x8CAA
 _COLOUR_AT, _DEPTH_AT, _COMPLETE = 0x8CE0, 0x8D00, 0x8CD5
@@ -43,7 +44,8 @@ _TEXTURE_0, _TEXTURE_2D, _ARRAY_BUFFER = 0x84C0, 0x0DE1, 0x8892
 _PACK_BUFFER, _UNPACK_BUFFER = 0x88EB, 0x88EC
 _RGBA_32UI, _RG_32UI, _RGBA_INTEGER, _RG_INTEGER = 0x8D70, 0x823C, 0x8D99, 0x8228
 _FLOAT, _UNSIGNED_INT, _TRIANGLES, _COLOUR = 0x1406, 0x1405, 0x0004, 0x1800
-_LESS, _GREATER, _DEPTH_FUNC, _DEPTH_BUFFER = 0x0201, 0x0204, 0x0B74, 0x0100
+_LESS, _GREATER, _DEPTH_BUFFER = 0x0201, 0x0204, 0x0100
+_DEPTH_TEST, _SCISSOR_TEST, _CLIP_PLANE = 0x0B71, 0x0C11, 0x3000
 _NEAREST = ((0x2801, 0x2600), (0x2800, 0x2600))
 _PACKING = ((0x0D00, 0), (0x0D02, 0), (0x0D03, 0), (0x0D04, 0), (0x0D05, 4))
 
@@ -129,35 +131,32 @@ class Crossings:
         self._ring: Any = None
         self._last: tuple[Hashable, Indices, Floats] | None = None
         self._size = (0, 0)
-        self._framebuffers = tuple(_name(gl.glGenFramebuffers) for _ in range(2))
-        self._textures = tuple(_name(gl.glGenTextures) for _ in range(2))
-        self._depth = _name(gl.glGenRenderbuffers)
-        self._array = _name(gl.glGenVertexArrays)
+        self._framebuffers = tuple(_name("glGenFramebuffers") for _ in range(2))
+        self._textures = tuple(_name("glGenTextures") for _ in range(2))
+        self._depth = _name("glGenRenderbuffers")
+        self._array = _name("glGenVertexArrays")
 
     def tick(self) -> None:
         """A layer has passed."""
         self._bodies.tick()
 
     def find(
-        self,
-        draws: Sequence[Draw],
-        *,
-        greater: bool = False,
-        finished: tuple[int, int, int] | None = None,
+        self, draws: Sequence[Draw], *, greater: bool = False, bits: int | None = None
     ) -> Floats:
-        """(L, 18) float32 records of lines, eye space, where polygons of draws intersect.
+        """(L, 17) `glshim.geometry.lines` records where polygons of draws pass through each other.
 
-        draws: one of `glshim.render.cameras.grouped`. greater: farther is less depth. finished:
-        the texture unit of the app's finished depth, and which texel of it (x, y) lies at the
-        viewport's lower left corner; what is not seen there is left out. Leaves blending, culling
-        and the like as it needs them: off. Bindings and depth state come back as they were.
+        draws: a group of `glshim.render.cameras.grouped`. greater: farther is less depth. bits of
+        the app's finished depth, which `glshim.render.depth.UNIT` holds; None where there is none.
+        What is not in that is left out. Blending, culling and the like are off; bindings come back
+        as they were, depth test and writes are off afterwards.
         """
         camera = draws[0].camera
         scene = self._scene(draws)
-        width, height = (min(size, _LARGEST) for size in camera.viewport[2:])
-        if not 0 < scene.first[-1] < _MOST or min(width, height) <= 0:
-            return np.empty((0, crossings.RECORD), np.float32)
-        seeds = self._seeds(scene, _here(camera), (width, height), greater, finished)
+        box = box_of([camera])
+        pixels = box[2] * box[3]
+        if not 0 < scene.first[-1] < _MOST_TRIANGLES or not 0 < pixels <= _MOST_PIXELS:
+            return np.empty((0, RECORD), np.float32)
+        seeds = self._seeds(scene, camera, box, greater, bits)
         last = self._last
         same = last is not None and scene.state is not None and scene.state == last[0]
         if last is not None and same and np.array_equal(seeds, last[1]):
@@ -227,41 +226,40 @@ class Crossings:
         return int(self._ring.glo)
 
     def _seeds(
-        self,
-        scene: _Scene,
-        camera: Camera,
-        size: tuple[int, int],
-        greater: bool,
-        finished: tuple[int, int, int] | None,
+        self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
     ) -> Indices:
         """(N, 2) the pairs of triangles that both passes found, each once."""
-        draw, read, function = (_integer(n) for n in (_DRAW_BINDING, _READ_BINDING, _DEPTH_FUNC))
+        draw, read = integer(_DRAW_BINDING), integer(_READ_BINDING)
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
-        self._fit(*size)
+        self._fit(*box[2:])
+        gl.glEnable(_DEPTH_TEST)
         gl.glDepthMask(1)
-        gl.glColorMask(1, 1, 1, 1)
         gl.glDepthFunc(_GREATER if greater else _LESS)
         gl.glClearDepth(0.0 if greater else 1.0)
         gl.glBindVertexArray(self._array)
         gl.glEnableVertexAttribArray(0)
-        set_up(camera)
+        planes = camera.clip_planes[:MOST_CLIP_PLANES]
+        for plane in range(len(planes)):
+            gl.glEnable(_CLIP_PLANE + plane)
         nothing = (ctypes.c_uint * 4)()
         for trap, framebuffer in enumerate(self._framebuffers):
             gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
+            gl.glDisable(_SCISSOR_TEST)
             gl.glClear(_DEPTH_BUFFER)
             gl.glClearBufferuiv(_COLOUR, 0, ctypes.addressof(nothing))
-            program = self._program(len(camera.clip_planes), bool(trap))
+            _place(camera, box)
+            program = self._program(len(planes), bool(trap))
             gl.glUseProgram(program["glo"])
             _write(program, "projection", camera.projection.T)
-            _write(program, "clip_planes", np.array(camera.clip_planes[:MOST_CLIP_PLANES]))
+            _write(program, "clip_planes", np.array(planes))
             if trap:
                 program["seen"].value = _UNIT
                 program["away"].value = -1.0 if greater else 1.0
                 gl.glBindTexture(_TEXTURE_2D, self._textures[0])
             else:
-                unit, x, y = finished or (_UNIT, 0, 0)
-                program["finished"].value = unit
-                program["finished_at"].value = (x, y, finished is not None)
+                program["finished"].value = UNIT
+                program["corner_at"].value = box[:2]
+                program["hair"].value = hair_of(bits) if bits else -1.0
                 gl.glBindTexture(_TEXTURE_2D, 0)
             for chunk, first in zip(scene.chunks, scene.first.tolist(), strict=False):
                 _write(program, "modelview", chunk.modelview.T)
@@ -269,15 +267,18 @@ class Crossings:
                 gl.glBindBuffer(_ARRAY_BUFFER, chunk.buffer)
                 gl.glVertexAttribPointer(0, 3, _FLOAT, 0, 12, chunk.offset)
                 gl.glDrawArrays(_TRIANGLES, 0, 3 * len(chunk.corners))
-        noted = np.empty((size[1] * size[0], 2), np.uint32)
+        noted = np.empty((box[2] * box[3], 2), np.uint32)
         gl.glBindBuffer(_PACK_BUFFER, 0)
         for name, value in _PACKING:
             gl.glPixelStorei(name, value)
-        gl.glReadPixels(0, 0, *size, _RG_INTEGER, _UNSIGNED_INT, noted.ctypes.data)
+        gl.glReadPixels(0, 0, *box[2:], _RG_INTEGER, _UNSIGNED_INT, noted.ctypes.data)
         gl.glBindFramebuffer(_DRAW, draw)
         gl.glBindFramebuffer(_READ, read)
-        gl.glDepthFunc(function)
+        gl.glDisable(_DEPTH_TEST)
         gl.glDepthMask(0)
+        gl.glEnable(_SCISSOR_TEST)
+        for plane in range(len(planes)):
+            gl.glDisable(_CLIP_PLANE + plane)
         code = noted.view(np.uint64)[:, 0]
         code = np.unique(code[code != 0])
         low, high = code & np.uint64(0xFFFFFFFF), code >> np.uint64(32)
@@ -329,19 +330,20 @@ def _lines(scene: _Scene, seeds: Indices) -> Floats:
     """(L, 18) line records of seeds (N, 2) and what follows from them."""
     found, near = crossings.sift(scene, seeds)
     if not len(found):  # as a rule: neighbours are not even looked for
-        return np.empty((0, crossings.RECORD), np.float32)
+        return np.empty((0, RECORD), np.float32)
     beside = scene.neighbours(seeds)
     found = np.concatenate((found, crossings.approach(scene, beside, near)))
     return crossings.records(scene, beside, crossings.trace(scene, beside, found))
 
 
-def _here(camera: Camera) -> Camera:
-    """The camera with its viewport at 0, 0."""
-    x, y, width, height = camera.viewport
-    box = camera.scissor
-    if box is not None:
-        box = (box[0] - x, box[1] - y, box[2], box[3])
-    return replace(camera, viewport=(0, 0, width, height), scissor=box, stencil=None)
+def _place(camera: Camera, box: Box) -> None:
+    """Viewport, depth range and scissor of a camera, in a framebuffer that holds a box."""
+    x, y = box[:2]
+    left, low, across, up = camera.viewport
+    gl.glEnable(_SCISSOR_TEST)
+    scissor(camera, box, (x, y))
+    gl.glViewport(left - x, low - y, across, up)
+    gl.glDepthRange(*camera.depth_range)
 
 
 def _write(program: dict[str, Any], name: str, value: NDArray[np.float64]) -> None:
@@ -350,13 +352,7 @@ def _write(program: dict[str, Any], name: str, value: NDArray[np.float64]) -> No
         found.write(np.ascontiguousarray(value, np.float32))
 
 
-def _name(make: Any) -> int:
+def _name(make: str) -> int:
     value = ctypes.c_uint()
-    make(1, ctypes.addressof(value))
-    return value.value
-
-
-def _integer(name: int) -> int:
-    value = ctypes.c_int()
-    gl.glGetIntegerv(name, ctypes.addressof(value))
+    getattr(gl, make)(1, ctypes.addressof(value))
     return value.value

@@ -6,13 +6,15 @@
 
 uniform int first_triangle;
 uniform float away;         // +1 where greater depth is farther away, else -1
-uniform sampler2D finished; // the app's finished depth
-uniform ivec3 finished_at;  // the texel of it that lies at our pixel 0, 0; whether there is any
+uniform sampler2D finished; // the app's finished depth, a texel a pixel of its framebuffer
+uniform ivec2 corner_at;    // which of those our pixel 0, 0 is
+uniform float hair;         // a few steps of that depth; negative where there is none
 uniform usampler2D seen;    // what pass 1 noted
 
 out uvec4 note;             // pass 1: D's number + 1, bits of its slope (2) and depth; 2: P, D (+ 1)
 
 const float NEAR = 1.5;     // pixels from the crossing
+const float ELSEWHERE = 4.0;  // pixels in which the app's depth may be that of this triangle
 const float HAIR = 4.0 / 16777216.0;
 
 void main() {
@@ -26,11 +28,11 @@ void main() {
     if (other.x == 0u || other.x == number || behind < -HAIR || behind > reach) discard;
     note = uvec4(number, other.x, 0u, 0u);
 #else
-    if (finished_at.z != 0) {
+    if (hair >= 0.0) {
         // What is not in the app's picture (hidden by what the shim does not know, dropped by an
-        // alpha test) is not seen. The app's depth may be that of another place in the pixel.
-        float app = texelFetch(finished, ivec2(gl_FragCoord.xy) + finished_at.xy, 0).r;
-        if (abs(depth - app) > NEAR * (abs(slope.x) + abs(slope.y)) + 4.0 * HAIR) discard;
+        // alpha test) is not seen. Several samples and polygon offset move the app's depth a little.
+        float app = texelFetch(finished, ivec2(gl_FragCoord.xy) + corner_at, 0).r;
+        if (abs(depth - app) > ELSEWHERE * length(slope) + hair) discard;
     }
     note = uvec4(number, floatBitsToUint(slope), floatBitsToUint(depth));
 #endif
