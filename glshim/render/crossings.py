@@ -183,8 +183,9 @@ class Crossings:
         small = [(body, at) for _, body, at in placed if len(body) <= _SMALL]
         streamed = [(body.corners, at) for body, at in passing]
         if small:
-            eye = [body.corners @ at[:3, :3].T + at[:3, 3] for body, at in small]
-            streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
+            with np.errstate(all="ignore"):  # an app may send anything
+                eye = [body.corners @ at[:3, :3].T + at[:3, 3] for body, at in small]
+                streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
         ring = self._stream([corners for corners, _ in streamed])
         chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
         offset = 0
