@@ -175,11 +175,11 @@ def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np
     return made
 
 
-def sift(triangles: Triangles, pairs: Indices) -> tuple[Indices, Indices]:
-    """Of pairs (N, 2), before neighbours are known: (K, 2) those that have more than a point and
-    not just a side in common, (L, 2) those that lie near each other without a common corner."""
+def sift(triangles: Triangles, pairs: Indices) -> tuple[Flags, Flags]:
+    """Of pairs (N, 2), before neighbours are known: (N,) which have more than a point and not
+    just a side in common, and (N,) which lie near each other without a common corner."""
     met = _meet(triangles[pairs[:, 0]], triangles[pairs[:, 1]])
-    return pairs[met.cross & (met.shared < 2)], pairs[~met.touch & (met.shared == 0)]
+    return met.cross & (met.shared < 2), ~met.touch & (met.shared == 0)
 
 
 def approach(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
@@ -193,21 +193,21 @@ def approach(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
     fresh, kept = _codes(pairs, total), [np.empty((0, 2), np.intp)]
     for _ in range(_ROUNDS):
         pair = np.stack(np.divmod(fresh, max(total, 1)), axis=1)
+        pair = pair[(beside[pair[:, 0]] != pair[:, 1:]).all(axis=1)]  # met at a side: no crossing
         if not len(pair):
             break
         step = np.concatenate((pair[:, None], _steps(beside, pair)), axis=1)
         valid = (step >= 0).all(axis=2) & (step[:, :, 0] != step[:, :, 1])
-        middles = triangles[np.maximum(step, 0).ravel()].sum(axis=1).reshape(*step.shape, 3)
+        named, where = np.unique(np.maximum(step, 0), return_inverse=True)
+        middles = triangles[named].sum(axis=1)[where.reshape(step.shape)]
         apart = ((middles[:, :, 0] - middles[:, :, 1]) ** 2).sum(axis=2)
         best = np.where(valid, apart, np.inf).argmin(axis=1)
         kept.append(pair[best == 0])
         moved = best > 0
         fresh = _codes(step[moved, best[moved]], total)
-    around = [
-        np.concatenate((found[:, None], beside[found]), axis=1)
-        for found in np.concatenate(kept).T
-    ]
-    both = np.stack(np.broadcast_arrays(around[0][:, :, None], around[1][:, None]), axis=3)
+    found = np.concatenate(kept)
+    around = np.concatenate((found[:, :, None], beside[found]), axis=2)
+    both = np.stack(np.broadcast_arrays(around[:, 0, :, None], around[:, 1, None]), axis=3)
     return np.stack(np.divmod(_codes(both.reshape(-1, 2), total), max(total, 1)), axis=1)
 
 

@@ -24,7 +24,7 @@ from glshim.caches import AgingCache
 from glshim.errors import RenderError
 from glshim.geometry import crossings
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import Doubles, Indices, join
+from glshim.geometry.edges import Doubles, Flags, Indices, join
 from glshim.geometry.lines import RECORD
 from glshim.render.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
 from glshim.render.depth import UNIT, Box
@@ -35,6 +35,8 @@ from glshim.styling.protocol import Draw
 _SMALL = 512
 """Triangles up to which what has one modelview is drawn together with others."""
 _MOST_TRIANGLES, _MOST_PIXELS = 1 << 30, 1 << 24
+_FRONT = 1 << 31
+"""What the shader adds to the numbers of triangles that face the viewer."""
 _UNIT = 12
 _FRAMEBUFFER, _DRAW, _READ = 0x8D40, 0x8CA9, 0x8CA8
 _DRAW_BINDING, _READ_BINDING = 0x8CA6, 0x8CAA
@@ -59,7 +61,8 @@ class _Body:
         self.corners: Floats = triangles(join(batches))
         """(T, 3, 3) object space."""
         fans = [int(np.maximum(np.diff(batch.starts) - 2, 0).sum()) for batch in batches]
-        self._owner = np.repeat(np.arange(len(batches), dtype=np.int32), fans)
+        self.owner = np.repeat(np.arange(len(batches), dtype=np.int32), fans)
+        """(T,) the batch of each."""
         self.buffer: Any = None
         """The corners on the GPU, where they stay."""
 
@@ -69,7 +72,7 @@ class _Body:
     @cached_property
     def neighbours(self) -> Indices:
         """(T, 3) the triangle at each side, -1 for none."""
-        return crossings.neighbours(self.corners, self._owner)
+        return crossings.neighbours(self.corners, self.owner)
 
     def release(self) -> None:
         """Free the memory on the GPU."""
@@ -99,6 +102,7 @@ class _Scene:
         self.first = np.cumsum([0] + [len(chunk.corners) for chunk in chunks])
         """(chunks + 1,) number of each chunk's first triangle."""
         self._bodies = bodies
+        self._starts = np.cumsum([0] + [len(body) for body in bodies])
         self.state = state
         """Equal states are equal scenes; None: this one is seen once."""
 
@@ -111,9 +115,15 @@ class _Scene:
             found[rows] = chunk.corners[index[rows] - self.first[at]] @ linear.T + shift
         return found
 
+    def of_one_mesh(self, pairs: Indices) -> Flags:
+        """(N,) whether both triangles of pairs (N, 2) come from one batch."""
+        which = np.searchsorted(self._starts, pairs, side="right") - 1
+        owner = np.concatenate([body.owner for body in self._bodies])[pairs]
+        return np.asarray((which[:, 0] == which[:, 1]) & (owner[:, 0] == owner[:, 1]))
+
     def neighbours(self, pairs: Indices) -> Indices:
         """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
-        first = np.cumsum([0] + [len(body) for body in self._bodies])
+        first = self._starts
         beside = np.full((int(first[-1]), 3), -1, np.intp)
         for at in np.unique(np.searchsorted(first, pairs, side="right") - 1).tolist():
             own = self._bodies[at].neighbours
@@ -229,7 +239,8 @@ class Crossings:
     def _seeds(
         self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
     ) -> Indices:
-        """(N, 2) the pairs of triangles that both passes found, each once."""
+        """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
+        `_FRONT` where they face the viewer."""
         draw, read = integer(_DRAW_BINDING), integer(_READ_BINDING)
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
         self._fit(*box[2:])
@@ -282,8 +293,7 @@ class Crossings:
             gl.glDisable(_CLIP_PLANE + plane)
         code = noted.view(np.uint64)[:, 0]
         code = np.unique(code[code != 0])
-        low, high = code & np.uint64(0xFFFFFFFF), code >> np.uint64(32)
-        return np.stack((low, high), axis=1).astype(np.intp) - 1
+        return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
     def _fit(self, width: int, height: int) -> None:
         """Both framebuffers, at least so large."""
@@ -329,12 +339,16 @@ class Crossings:
 
 def _lines(scene: _Scene, seeds: Indices) -> Floats:
     """(L, 18) line records of seeds (N, 2) and what follows from them."""
-    found, near = crossings.sift(scene, seeds)
-    if not len(found):  # as a rule: neighbours are not even looked for
+    numbers = seeds & (_FRONT - 1)
+    crossing, near = crossings.sift(scene, numbers)
+    if not crossing.any():  # as a rule: neighbours are not even looked for
         return np.empty((0, RECORD), np.float32)
-    beside = scene.neighbours(seeds)
-    found = np.concatenate((found, crossings.approach(scene, beside, near)))
-    return crossings.records(scene, beside, crossings.trace(scene, beside, found))
+    beside = scene.neighbours(numbers)
+    # Along its silhouette a mesh's front and back lie near each other: no need to go and look.
+    near &= ((seeds[:, 0] ^ seeds[:, 1]) & _FRONT == 0) | ~scene.of_one_mesh(numbers)
+    closer = crossings.approach(scene, beside, numbers[near])
+    followed = crossings.trace(scene, beside, np.concatenate((numbers[crossing], closer)))
+    return crossings.records(scene, beside, followed)
 
 
 def _place(camera: Camera, box: Box) -> None:

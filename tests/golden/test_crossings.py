@@ -35,7 +35,7 @@ class Finder:
             self.crossings = Crossings(moderngl.create_context(require=330))
             self.depth = DepthCopy()
 
-    def __call__(self, *items, drawn=None):
+    def __call__(self, *items, drawn=None, greater=False):
         """(L, 17) records of items in the app's picture of them, or of drawn, and its depth."""
         look.clear()
         for b, camera in items if drawn is None else drawn:
@@ -47,7 +47,7 @@ class Finder:
             self.depth.take((0, 0, SIZE, SIZE), 24)
             choice = Choice(False, None, intersections=True)
             (group,) = grouped(Draw(b, camera, choice, SHADER, {}) for b, camera in items)
-            found = self.crossings.find(group, bits=24)
+            found = self.crossings.find(group, greater=greater, bits=24)
         assert GL.glGetError() == 0
         return found, depth
 
@@ -230,3 +230,70 @@ def test_the_teapots_spout_and_handle_go_through_its_body(finder, teapot):
         assert (np.linalg.norm(flaps[:, 1] - flaps[:, 0], axis=1) < 0.01).all(), f"view {k}"
         total += int(at_the_side.sum())
     assert total > 100
+
+
+def count_in(found, camera, low, high):
+    """How many window points of records lie in a column range."""
+    points = sampled(found[:, :6].reshape(-1, 2, 3).astype(float), camera)
+    return int(((points[:, 0] > low) & (points[:, 0] < high)).sum())
+
+
+def crossing_squares(camera):
+    """A small plate through each of two others, in the left and in the right half."""
+    upright = turned(np.pi / 2, 0, 0)
+    return [
+        (plate(3, 0.5), replace(camera, modelview=camera.modelview @ at))
+        for x in (-0.8, 0.8)
+        for at in (turned(0, 0, 0, (x, 0, 0)), turned(0, 0, 0, (x, 0, 0)) @ upright)
+    ]
+
+
+SQUARES = Camera(look.look_at((0.3, -3, 3)), look.perspective(), (0, 0, SIZE, SIZE))
+
+
+@pytest.mark.parametrize("what", ["nothing", "scissor", "clip plane", "port", "known", "greater"])
+def test_only_where_the_app_draws(finder, what):
+    """Scissor, clip planes, another viewport, something in front that the shim does not know."""
+    camera = SQUARES
+    if what == "scissor":
+        camera = replace(camera, scissor=(0, 0, SIZE // 2, SIZE))
+    if what == "clip plane":
+        plane = np.array((-1.0, 0, 0, 0)) @ np.linalg.inv(camera.modelview)
+        camera = replace(camera, clip_planes=(tuple(plane),))
+    if what == "port":
+        camera = replace(camera, viewport=(100, 50, 200, 200))
+    items = crossing_squares(camera)
+    drawn = None
+    if what == "known":  # a wall in front of the right half
+        wall = plate(1, 1.0), replace(camera, modelview=camera.modelview @ turned(
+            0.8, 0, 0, (1.05, -0.8, 0.8)))  # fmt: skip
+        drawn = [*items, wall]
+    if what == "greater":
+        camera = replace(camera, depth_range=(1.0, 0.0))
+        items = crossing_squares(camera)
+        GL.glDepthFunc(GL.GL_GREATER)
+        GL.glClearDepth(0.0)
+    records, _ = finder(*items, drawn=drawn, greater=what == "greater")
+    GL.glDepthFunc(GL.GL_LESS)
+    GL.glClearDepth(1.0)
+    left, right = count_in(records, SQUARES, 0, 200), count_in(records, SQUARES, 200, 400)
+    assert left > 100
+    assert (right > 100) == (what in ("nothing", "port", "greater"))
+
+
+def test_many_small_objects_and_streams(finder):
+    """A hundred boxes on the corners of each other, each under its own camera or all in one."""
+    box = look.cube(0.12)
+    camera = SQUARES
+    grid = [(0.2 * i - 1, 0.2 * j - 1, 0) for i in range(10) for j in range(10)]
+    places = [turned(0.1, 0.2, 0.3, shift) for shift in grid]
+    moved = placed(camera, *((box, at) for at in places))
+    keyed = placed(camera, *((replace(box, key="box"), at) for at in places))
+    points = [
+        replace(box, positions=(box.positions @ at[:3, :3].T + at[:3, 3]).astype(np.float32))
+        for at in places
+    ]
+    together = [(b, camera) for b in points]
+    counts = [len(finder(*items)[0]) for items in (moved, keyed, keyed, together)]
+    assert min(counts) > 400
+    assert max(counts) - min(counts) < 0.02 * max(counts)

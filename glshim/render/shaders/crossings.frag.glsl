@@ -11,7 +11,8 @@ uniform ivec2 corner_at;    // which of those our pixel 0, 0 is
 uniform float hair;         // a few steps of that depth; negative where there is none
 uniform usampler2D seen;    // what pass 1 noted
 
-out uvec4 note;             // pass 1: D's number + 1, bits of its slope (2) and depth; 2: P, D (+ 1)
+out uvec4 note;             // pass 1: D, bits of its slope (2) and depth; pass 2: P, D
+                            // where a triangle is its number + 1, and 1 << 31 if it faces us
 
 const float NEAR = 1.5;     // pixels from the crossing
 const float ELSEWHERE = 4.0;  // pixels in which the app's depth may be that of this triangle
@@ -20,7 +21,7 @@ const float HAIR = 4.0 / 16777216.0;
 void main() {
     float depth = gl_FragCoord.z;
     vec2 slope = vec2(dFdx(depth), dFdy(depth));
-    uint number = uint(gl_PrimitiveID + first_triangle + 1);
+    uint number = uint(gl_PrimitiveID + first_triangle + 1) | (gl_FrontFacing ? 1u << 31 : 0u);
 #if TRAP
     uvec4 other = texelFetch(seen, ivec2(gl_FragCoord.xy), 0);
     float behind = away * (depth - uintBitsToFloat(other.w));
