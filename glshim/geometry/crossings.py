@@ -64,8 +64,8 @@ class _Meeting(NamedTuple):
 def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None = None) -> Indices:
     """(T, 3) the triangle at the other side of each side (corner k to k + 1), -1 for none.
 
-    triangles (T, 3, 3) in one object space; owner (T,) numbers those of one mesh alike: a side
-    looks for a neighbour in its own mesh first. Sides on which more than two meet have none.
+    triangles (T, 3, 3) in one object space. owner (T,) numbers those of one mesh alike: where more
+    than two sides lie together, those of one mesh join if they are two.
     """
     found = np.full(len(triangles) * 3, -1, np.intp)
     sides = _sides(triangles)
@@ -74,11 +74,9 @@ def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None =
         area = np.abs(_cross(exact[:, 1] - exact[:, 0], exact[:, 2] - exact[:, 0])).max(axis=1)
         sound = area > _SLIVER * _size(exact) ** 2
     # A triangle without area lies on a side twice, one without a place would spoil the rest.
-    lone = np.flatnonzero(np.repeat(sound, 3))
-    if owner is not None:
-        _pair(found, sides, lone, np.repeat(owner, 3)[lone])
-        lone = lone[found[lone] < 0]
-    _pair(found, sides, lone, None)
+    crowd = _pair(found, sides, np.flatnonzero(np.repeat(sound, 3)), None)
+    if owner is not None and len(crowd):
+        _pair(found, sides, crowd, owner[crowd // 3])
     return np.asarray(found.reshape(-1, 3) // 3)
 
 
@@ -90,12 +88,14 @@ def _sides(triangles: NDArray[np.float32]) -> NDArray[np.float32]:
 
 def _pair(
     found: Indices, sides: NDArray[np.float32], among: Indices, owner: NDArray[np.int32] | None
-) -> None:
-    """Note the other side of each edge that has two among some sides."""
+) -> Indices:
+    """Note the other side of each edge that has two among some sides. Those of edges with more."""
     order, first, _ = edges.neighbours(sides[among], owner)
-    at = first[np.diff(first, append=len(order)) == 2]
+    counts = np.diff(first, append=len(order))
+    at = first[counts == 2]
     one, other = among[order[at]], among[order[at + 1]]
     found[one], found[other] = other, one
+    return among[order[np.repeat(counts > 2, counts)]]
 
 
 def trace(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
