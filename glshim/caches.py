@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable
+from collections.abc import Callable, Hashable
 from typing import Generic, TypeVar
 
 Value = TypeVar("Value")
@@ -20,10 +20,17 @@ class AgingCache(Generic[Value]):
     pile up, and what is out of sight for a moment stays.
     """
 
-    def __init__(self, most_bytes: int = _MOST_BYTES, longest_rest: int = _LONGEST_REST) -> None:
+    def __init__(
+        self,
+        most_bytes: int = _MOST_BYTES,
+        longest_rest: int = _LONGEST_REST,
+        drop: Callable[[Value], None] | None = None,
+    ) -> None:
+        """drop is called with each value that goes: for what Python does not free."""
         self._entries: OrderedDict[Hashable, tuple[Value, int, int]] = OrderedDict()
         self._most_bytes, self._longest_rest = most_bytes, longest_rest
         self._bytes = self._now = 0
+        self._drop = drop
 
     def __len__(self) -> int:
         return len(self._entries)
@@ -46,6 +53,8 @@ class AgingCache(Generic[Value]):
         """Keep a value that takes so many bytes. The value."""
         old = self._entries.pop(key, None)
         self._bytes += size - (old[1] if old is not None else 0)
+        if old is not None and self._drop is not None:
+            self._drop(old[0])
         self._entries[key] = (value, size, self._now)
         while self._bytes > self._most_bytes and len(self._entries) > 1:
             self._drop_first()
@@ -61,5 +70,7 @@ class AgingCache(Generic[Value]):
             self._drop_first()
 
     def _drop_first(self) -> None:
-        _, (_, size, _) = self._entries.popitem(last=False)
+        _, (value, size, _) = self._entries.popitem(last=False)
         self._bytes -= size
+        if self._drop is not None:
+            self._drop(value)

@@ -6,12 +6,15 @@ import ctypes
 import re
 from collections.abc import Iterable
 from itertools import groupby
+from typing import Any
 
 import moderngl
+import numpy as np
 
 from glshim.errors import RenderError
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
+from glshim.render.crossings import Crossings
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl, integer
 from glshim.render.guard import Guard, possible
@@ -44,8 +47,9 @@ _LAID_BITS = 24
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
-    def __init__(self, pen: Pen, cache_bytes: int) -> None:
-        self.pen = pen
+    def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
+        self.pen = Pen(context, ring_bytes)
+        self._crossings = Crossings(context, cache_bytes // 2)
         self._harvest = Harvest(cache_bytes)
         self._depth = DepthCopy()
         self._canvas = Canvas()
@@ -71,7 +75,7 @@ class Backend:
             raise RenderError("GL is compiling a list, selecting, or its attribute stack is full")
         with Guard():
             try:
-                return cls(Pen(moderngl.create_context(require=330), ring_bytes), cache_bytes)
+                return cls(moderngl.create_context(require=330), cache_bytes, ring_bytes)
             except Exception as error:
                 raise RenderError(f"no drawing in this context ({text}): {error}") from error
 
@@ -83,6 +87,7 @@ class Backend:
         `RenderError` when a shader does not compile.
         """
         self._harvest.tick()
+        self._crossings.tick()
         groups = grouped(draws)
         if not groups or not possible():
             return
@@ -120,6 +125,9 @@ class Backend:
         for group in groups:
             first = group[0]
             records = self._harvest.records(group)
+            if first.choice.intersections:
+                found = self._crossings.find(group, greater=greater, bits=bits)
+                records = np.concatenate((records, found))
             if not len(records):
                 continue
             camera, away = turned(first.camera, greater)

@@ -97,12 +97,15 @@ def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:
     return x, y, max(right - x, 0), max(top - y, 0)
 
 
-def scissor(camera: Camera, box: tuple[int, int, int, int]) -> None:
-    """Let drawing reach what the camera's viewport and scissor box leave of a box."""
+def scissor(
+    camera: Camera, box: tuple[int, int, int, int], origin: tuple[int, int] = (0, 0)
+) -> None:
+    """Let drawing reach what the camera's viewport and scissor box leave of a box. origin: the
+    pixel of the app's framebuffer that is the first of the one drawn to."""
     edges = [box, camera.viewport, *([camera.scissor] if camera.scissor else [])]
     x, y = (max(edge[k] for edge in edges) for k in (0, 1))
     right, top = (min(edge[k] + edge[k + 2] for edge in edges) for k in (0, 1))
-    gl.glScissor(x, y, max(right - x, 0), max(top - y, 0))
+    gl.glScissor(x - origin[0], y - origin[1], max(right - x, 0), max(top - y, 0))
 
 
 def stencil(camera: Camera) -> None:
