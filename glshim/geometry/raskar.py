@@ -116,14 +116,13 @@ def strokes(
                        valley_width, valley_width, intersection_width])[kind]  # fmt: skip
     outwards = np.where(outline, widths - INWARD, widths / 2.0)
     inwards = np.where(outline | lone, -INWARD, -widths / 2.0)
-    occluding = outline & (kind != FIN)
-    steep = np.where(occluding, deep, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])))
+    steep = np.where(lone, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])), deep)
     length = np.hypot(*(finish - start)[:, :2].T)
     leaning = np.abs(finish[:, 2] - start[:, 2]) / np.maximum(length, 1e-30)
     slack = np.select(
-        [kind == CONTOUR, kind == HOLLOW, kind == RING, outline | lone],
-        [-0.25 * deep, -2.0 * deep, np.minimum(leaning, deep), 0.0],
-        deep,
+        [kind == CONTOUR, kind == HOLLOW, (kind == FIN) | lone],
+        [-0.25 * deep, -2.0 * deep, 0.0],
+        np.minimum(leaning, deep),
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
         drawn, start, finish, onwards, slopes, np.c_[inwards, outwards], np.c_[deep, slack]

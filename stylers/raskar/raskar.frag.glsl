@@ -32,8 +32,8 @@ void main() {
         vec2 aside = gl_FragCoord.xy - place.xy;
         float nearest = place.z + min(surface(aside), level(aside)) - grain.y;
         nearest -= (kind == LONE_VALLEY || kind == VALLEY ? STEEPEST : LEAN) * grain.x * off;
-        float depth = finished(gl_FragCoord.xy);
-        if (depth < nearest && !on_the_floor(place, aside, depth)) discard;
+        if (kind == RING) nearest = min(nearest, place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair);
+        if (finished(gl_FragCoord.xy) < nearest) discard;
     }
     if (!seen(on)) discard;
     vec4 drawn = vec4(ink, 1.0);

@@ -77,9 +77,8 @@ void main() {
     extent = vec4(outline || lone ? -INWARD : -0.5 * width,
                   outline ? width - INWARD : 0.5 * width, kind, edge_kind.y);
     float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
-                : kind == RING ? min(abs(line_b.z - line_a.z) / span, deep)
-                : kind == FIN || lone ? 0.0 : deep;
-    grain = vec2(deep, slack + hair + blur * (kind < FIN ? deep : length(slopes.xy)));
+                : kind == FIN || lone ? 0.0 : min(abs(line_b.z - line_a.z) / span, deep);
+    grain = vec2(deep, slack + hair + blur * (lone ? length(slopes.xy) : deep));
 
     if (!seen_somewhere()) return;
 

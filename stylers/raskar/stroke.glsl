@@ -10,7 +10,7 @@ PASSED vec4 slopes;   // depth a pixel on the line's plane and on the other poly
 PASSED vec4 extent;   // pixels outwards between which the ink lies; kind; pixels along at a
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
-const float MEETING = 0.1;  // pixels' worth of depth by which surfaces that meet may miss
+const float MEETING = 0.05;  // pixels' worth of depth by which surfaces that meet may miss
 
 vec2 along, out_1;
 float span;
@@ -40,54 +40,57 @@ float surface(vec2 off) {
     return dot(off, out_1) < 0.0 ? own : other;
 }
 
-// Whether the surface beside a place of the line is what is drawn there: nothing is before it, and
-// where it rises towards the viewer it is not behind it either.
+// Whether a line is seen in a pixel beside a place: what is drawn there is no nearer than the side,
+// or it is the line's own surface, which may rise towards the viewer.
 bool seen_beside(vec3 place, vec2 outwards) {
     vec2 centre = beyond(place.xy, outwards), off = centre - place.xy;
-    float depth = finished(centre), expected = place.z + surface(off);
-    bool hollow = kind > FIN && kind != LONE_RIDGE && dot(slopes.zw - slopes.xy, out_1) < 0.0;
-    if (!hollow) return expected - grain.y <= depth;
-    return abs(expected - depth) <= grain.y + 0.1 * max(length(slopes.xy), length(slopes.zw));
+    float depth = finished(centre) - place.z, own = surface(off);
+    if (depth >= level(off) - grain.y) return true;
+    vec2 slope = dot(off, out_1) < 0.0 ? slopes.xy : slopes.zw;
+    return kind > FIN && abs(depth - own) <= grain.y + 0.25 * grain.x + 0.03 * length(slope);
 }
 
-// Whether what is drawn at a place off the side lies in the plane of the polygon that turns away:
-// the floor that a box stands on.
-bool on_the_floor(vec3 place, vec2 off, float depth) {
-    if (kind != RING) return false;
-    float slack = hair + (0.03 + blur) * length(slopes.xy);
-    return abs(place.z + dot(slopes.xy, off) - depth) <= slack;
-}
-
-// Whether two pixels beside a place show the floor.
-bool stands(vec3 place) {
-    vec2 one = beyond(place.xy, out_1), two = beyond(place.xy + out_1, out_1);
-    return on_the_floor(place, one - place.xy, finished(one))
-        && on_the_floor(place, two - place.xy, finished(two));
-}
-
-// Sides that know no neighbour. What is drawn beside one, at two pixels, is carried on to the side:
-// where it meets it, it is a neighbour after all. Section 2.2: the quad of a ridge is before it.
-// Section 2.3: the quad of a valley is trapped just behind it.
-bool seen_alone(vec3 place) {
+// What is drawn beside a place, carried on to the side over three pixels: its depth over the side's.
+// Whether the three lie on one surface at all. margin: what counts as on the side.
+bool carried_on(vec3 place, out float near, out float gap, out float margin) {
     vec2 one = beyond(place.xy, out_1) - place.xy;
-    vec2 two = beyond(place.xy + 2.0 * out_1, out_1) - place.xy;
-    float near = finished(place.xy + one) - level(one), far = finished(place.xy + two) - level(two);
-    float slope = (far - near) / dot(two - one, out_1);
-    float gap = near - slope * dot(one, out_1) - place.z;
-    bool meets = abs(gap) < (MEETING + blur) * max(grain.x, abs(slope)) + hair;
-    if (kind == FIN) return !meets && place.z - hair - blur * grain.x <= near;
-    float quad = place.z + dot(slopes.xy, one) - level(one);
-    return meets && (kind == LONE_RIDGE ? quad - grain.y <= near : quad - grain.y > near);
+    vec2 two = beyond(place.xy + 1.5 * out_1, out_1) - place.xy;
+    vec2 three = beyond(place.xy + 3.0 * out_1, out_1) - place.xy;
+    near = finished(place.xy + one) - level(one) - place.z;
+    float middle = finished(place.xy + two) - level(two) - place.z;
+    float far = finished(place.xy + three) - level(three) - place.z;
+    float slope = (far - near) / dot(three - one, out_1);
+    gap = near - slope * dot(one, out_1);
+    margin = (MEETING + blur) * max(grain.x, abs(slope)) + hair;
+    return abs(gap + slope * dot(two, out_1) - middle) < 2.0 * margin;
+}
+
+// A contour over a surface that rises towards the viewer from behind it: a wall, or the floor that
+// a box stands on. before: depth by which it must stand out.
+bool stands_out(vec3 place, float before) {
+    float near, gap, margin;
+    return carried_on(place, near, gap, margin) && gap >= before - (kind == RING ? margin : 0.0);
+}
+
+// Sides that know no neighbour. What is drawn beside one may meet it: a neighbour after all. Section
+// 2.2: the quad of a ridge is before it. Section 2.3: the quad of a valley is trapped behind it.
+bool seen_alone(vec3 place) {
+    float near, gap, margin;
+    bool one_surface = carried_on(place, near, gap, margin);
+    if (kind == FIN) return one_surface ? gap > margin : near >= -hair - blur * grain.x;
+    vec2 off = beyond(place.xy, out_1) - place.xy;
+    float quad = dot(slopes.xy, off) - level(off) - grain.y;
+    return one_surface && abs(gap) < margin && (kind == LONE_RIDGE ? quad <= near : quad > near);
 }
 
 bool seen_at(float t) {
     vec3 place = point(t);
     if (kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY) return seen_alone(place);
     bool here = seen_beside(place, out_1);
-    if (kind == RING) return here || stands(place);
     if (kind > FIN) return here || seen_beside(place, -out_1);
+    if (kind == RING) return here || stands_out(place, 0.0);
     // Two pixels beside a smooth contour: flaps of the mesh stand out less.
-    return here && seen_beside(place + vec3(out_1, 0.0), out_1);
+    return here && seen_beside(place + vec3(out_1, 0.0), out_1) || stands_out(place, -grain.y);
 }
 
 // Two of three places along the line: no dots, no holes of a pixel.
