@@ -93,8 +93,8 @@ bool seen_at(float t) {
     return here && seen_beside(place + vec3(out_1, 0.0), out_1) || stands_out(place, -grain.y);
 }
 
-// Two of three places along the line: no dots, no holes of a pixel.
+// Two of three places along the line: no dots, no holes of two pixels.
 bool seen(float t) {
-    bool here = seen_at(t), before = seen_at(t - 1.0);
-    return here == before ? here : seen_at(t + 1.0);
+    bool here = seen_at(t), before = seen_at(t - 2.0);
+    return here == before ? here : seen_at(t + 2.0);
 }
