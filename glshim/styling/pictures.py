@@ -43,7 +43,7 @@ def _read(path: str, _changed: int, _size: int) -> Image:
                 whole = whole.resize((next(size), next(size)))
             return Image(stroke_pixels(np.asarray(whole)))
     except Exception as error:  # Pillow's decoders raise nearly anything
-        reason = "no picture that Pillow knows" if _unknown(error) else error
+        reason = "no picture that Pillow knows" if _unknown(error) else " ".join(str(error).split())
         raise StyleError(f"cannot read {path!r} as a picture: {reason}") from error
 
 

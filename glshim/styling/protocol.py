@@ -17,6 +17,7 @@ calls GL::
 
 from __future__ import annotations
 
+import difflib
 import math
 import os
 import re
@@ -87,7 +88,7 @@ class Option:
             return "#rrggbb"
         words = ", ".join(self.choices)
         if self.kind == "choice or picture":
-            return f"{words} or a PNG"
+            return f"{words} or PATH.png"
         return f"{words} or #rrggbb" if self.kind == "choice or colour" else words
 
     def parse(self, text: str, folder: str = "") -> Any:
@@ -149,7 +150,9 @@ class Option:
         try:
             read_image(path)
         except StyleError as error:
-            raise StyleError(f"{self.name}={text}: {error}; give {self.allowed}") from error
+            near = difflib.get_close_matches(text, self.choices, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"give {self.allowed}"
+            raise StyleError(f"{self.name}={text}: {error}; {hint}") from error
         return path
 
     def _refuse(self, value: object) -> StyleError:

@@ -65,13 +65,13 @@ class Raskar(Styler):
     )
     texture: str = option(
         "none",
-        help="what silhouettes are drawn with (a grey picture: dark is ink; else its colours)",
+        help="what silhouettes are drawn with; dark is ink in a grey picture, others keep colours",
         choices=("none", *textures.MADE),
         picture=True,
     )
     texture_length: float = option(
         0.0,
-        help="what a silhouette is long after which it repeats; 0: what suits texture and width",
+        help="length of a silhouette after which the texture repeats; 0: what suits it",
         low=0.0,
         high=4096.0,
         unit="px",
