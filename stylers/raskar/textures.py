@@ -72,7 +72,8 @@ def _charcoal(width: float, length: float) -> Doubles:
         + 0.7 * _noise(chance, (rows, columns), (0.6 * fine, 5.0 * fine))
         + 0.5 * _noise(chance, (rows, columns), (2.6 * fine, 2.6 * fine))
     )
-    pressure = 0.86 + 0.1 * _noise(chance, (1, columns), (1.0, 14.0 * fine))
+    firm = float(np.clip((8.0 - width) / 6.0, 0.0, 1.0))  # a fine line would break into dashes
+    pressure = 0.86 + 0.2 * firm + 0.1 * _noise(chance, (1, columns), (1.0, 14.0 * fine))
     across = (np.arange(rows)[:, None] + 0.5) / rows  # 0 outside, 1 inside
     wander = _noise(chance, (1, columns), (1.0, 9.0 * fine))
     ragged = _noise(chance, (1, columns), (1.0, 2.0 * fine))
