@@ -233,3 +233,14 @@ def test_the_pattern_does_not_jump_in_a_slow_turn(backend, name):
           f"most {moved.max():.2f} of a period of 30")  # fmt: skip
     assert moved.mean() < 1.0
     assert (moved > 4.0).mean() < 0.1
+
+
+def test_intersections_have_the_texture_too(backend):
+    camera = camera_at(30, 30)
+    lone = {"silhouettes": False, "ridges": False, "valleys": False, "intersection_width": 6}
+    items = (look.cube(0.7), camera), (look.torus(), camera)
+    _, whole, _ = look.styled(backend, Raskar(**lone), *items)
+    _, dashed, _ = look.styled(backend, Raskar(**lone, texture="dashed", texture_on="all"), *items)
+    line = (whole == 0).all(axis=2)
+    assert line.sum() > 500
+    assert 0.4 < (dashed[line] < 100).all(axis=1).mean() < 0.85
