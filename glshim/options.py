@@ -25,8 +25,9 @@ NAME_KEY = "style"
 """The key of a style file that names the style."""
 
 
-def parse_style(text: str) -> Styler:
+def parse_style(text: str, folder: str = "") -> Styler:
     """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys.
+    Paths in a text are taken from the folder, those in a file from where that lies.
 
     Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
     """
@@ -34,10 +35,12 @@ def parse_style(text: str) -> Styler:
     if not text.isprintable():
         raise StyleError(f"{text!r} is no style: it holds characters that are not printable")
     if text.endswith(".toml"):
-        return load_style(Path(text))
+        return load_style(Path(folder, text))
     name, _, assignments = text.partition(":")
     styler = _load(name.strip())
-    values = dict(_parsed(styler, piece) for piece in assignments.split(",") if piece.strip())
+    values = dict(
+        _parsed(styler, piece, folder) for piece in assignments.split(",") if piece.strip()
+    )
     return styler(**values)
 
 
@@ -66,7 +69,7 @@ def load_style(path: Path) -> Styler:
             option = _option(styler, key)
             # A file may write a switch as the command line does.
             words = isinstance(value, str) and option.kind == "switch"
-            values[key] = option.parse(value) if words else option.check(value)
+            values[key] = option.parse(value) if words else option.check(value, str(path.parent))
         key = ""
         return styler(**values)
     except StyleError as error:
@@ -92,12 +95,12 @@ def _load(name: str) -> type[Styler]:
         raise
 
 
-def _parsed(styler: type[Styler], piece: str) -> tuple[str, Any]:
+def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:
     key, equals, value = (part.strip() for part in piece.partition("="))
     option = _option(styler, key)
     if not equals:
         raise StyleError(f"{key} has no value: write {key}={option.show(option.default)}")
-    return key, option.parse(value)
+    return key, option.parse(value, folder)
 
 
 def _option(styler: type[Styler], key: str) -> Option:

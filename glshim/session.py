@@ -20,7 +20,7 @@ def begin(folder: str) -> None:
     for complaint in complaints:
         say(complaint)
     if settings.style is not None:
-        _install(settings.style)
+        _install(settings.style, folder)
     if settings.capture is not None:
         from glshim.render.framegrab import FrameWriter
 
@@ -30,9 +30,9 @@ def begin(folder: str) -> None:
         FrameLimit(settings.frames).install()
 
 
-def _install(style: str) -> None:
+def _install(style: str, folder: str) -> None:
     try:
-        styler = options.parse_style(style)
+        styler = options.parse_style(style, folder)
     except GlshimError as error:
         say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
         return

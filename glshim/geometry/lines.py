@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.chains import link
+from glshim.geometry.chains import Pattern, link, measure
 from glshim.geometry.edges import Doubles, Edges, Flags, Indices, neighbours
 from glshim.geometry.gather import Places
 
@@ -32,10 +32,11 @@ LONE_RIDGE (2.2), LONE_VALLEY (2.3): the quad at the threshold angle, where no n
 depth decides.
 INTERSECTION: where two polygons pass through each other (2.4)."""
 
-RECORD = 17
+RECORD = 18
 """Floats of one record, eye space: a, b, c (3 each; the own polygon lies left of a to b in the
 window, c is where an outline goes on from b, or b), unit normals of the own and of the other
-polygon (3 each; the other's is zero where none is known), kind, pixels along the stroke at a."""
+polygon (3 each; the other's is zero where none is known), kind, repeats of a pattern at a and at b
+(the same where there is none)."""
 
 _SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
@@ -58,12 +59,12 @@ class Choice:
     intersections: bool = False
     connectivity: bool = True
     """Whether neighbours are looked for. Without, depth alone decides, as in the paper."""
-    strokes: bool = False
-    """Whether the pixels along a stroke (the last float of a record) are wanted."""
+    pattern: Pattern | None = None
+    """What repeats along strokes (the last floats of a record), or None for plain lines."""
 
 
 def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice) -> Floats:
-    """(L, 17) float32 records of the lines, eye space; see `RECORD`. All but intersections.
+    """(L, 18) float32 records of the lines, eye space; see `RECORD`. All but intersections.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
     polygon is back-facing, a quad where it is front-facing. Where another side lies on its edge,
@@ -98,7 +99,16 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
         following = link(whole[outlines, 0:3], whole[outlines, 3:6])
         goes_on = following >= 0
         whole[outlines[goes_on], 6:9] = whole[outlines[following[goes_on]], 3:6]
+    if choice.pattern is not None:
+        lay_pattern(whole, camera, choice.pattern)
     return whole
+
+
+def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
+    """Write into records (L, 18) how far along a pattern each line lies, whatever their kinds."""
+    group = np.maximum(records[:, 15].astype(np.intp) - FIN + 1, 0) // 2
+    found = measure(records[:, 0:3], records[:, 3:6], group, camera, pattern)
+    records[:, 16], records[:, 17] = found
 
 
 class _Seen:
@@ -154,7 +164,7 @@ class _Seen:
         records[:, 6:9] = ends[:, 1]
         records[:, 9:12] = normals
         records[:, 12:15] = 0.0
-        records[:, 16] = 0.0
+        records[:, 16:18] = 0.0
         at = 0
         for kind, some, others in found:
             part = slice(at, at + len(some))

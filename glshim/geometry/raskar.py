@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
 from glshim.geometry.lines import CONTOUR, FIN, HOLLOW, LONE_RIDGE, LONE_VALLEY, OUTLINES, RING
+from glshim.geometry.screen import cut, window
 
 Doubles = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -72,7 +73,7 @@ def strokes(
     hair: float,
     blur: float = 0.0,
 ) -> Strokes:
-    """The strokes of line records (L, 17) in eye space, see `glshim.geometry.lines.RECORD`.
+    """The strokes of line records (L, 18) in eye space, see `glshim.geometry.lines.RECORD`.
 
     Widths in pixels, angles in radians, hair: a few steps of the depth buffer in window depth,
     positive. blur: pixels by which depths may not be those of pixel centres. The camera's depth
@@ -127,33 +128,6 @@ def strokes(
     return Strokes(
         drawn, start, finish, onwards, slopes, np.c_[inwards, outwards], np.c_[deep, slack]
     )
-
-
-def cut(a: Doubles, b: Doubles, camera: Camera) -> tuple[list[Doubles], Flags, Flags]:
-    """The sides a to b (L, 3) as far as they lie behind the near plane and inside the app's clip
-    planes; which of them keep their b; which are left at all. Eye space."""
-    planes = [camera.projection[2] + camera.projection[3], *map(np.array, camera.clip_planes)]
-    whole_b, left = np.ones(len(a), bool), np.ones(len(a), bool)
-    for plane in planes:
-        near_a, near_b = (end @ plane[:3] + plane[3] for end in (a, b))
-        left &= (near_a >= 0.0) | (near_b >= 0.0)
-        apart = np.where(near_a == near_b, 1.0, near_a - near_b)
-        share = (near_a / apart)[:, None]
-        crossing = a + share * (b - a)
-        whole_b &= near_b >= 0.0
-        a = np.where(((near_a < 0.0) & (near_b > 0.0))[:, None], crossing, a)
-        b = np.where(((near_b < 0.0) & (near_a > 0.0))[:, None], crossing, b)
-    return [a, b], whole_b, left
-
-
-def window(eye: Doubles, camera: Camera) -> Doubles:
-    """(L, 3) window coordinates of eye-space points: pixels of the framebuffer, depth."""
-    x, y, width, height = camera.viewport
-    near, far = camera.depth_range
-    clip = np.c_[eye, np.ones(len(eye))] @ camera.projection.T
-    ndc = clip[:, :3] / np.where(np.abs(clip[:, 3:]) < 1e-30, 1e-30, clip[:, 3:])
-    scale = np.array((width, height, far - near)) / 2.0
-    return np.asarray(ndc * scale + (x + width / 2.0, y + height / 2.0, (far + near) / 2.0))
 
 
 def line_planes(

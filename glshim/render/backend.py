@@ -12,6 +12,7 @@ import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
+from glshim.geometry.lines import lay_pattern
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
 from glshim.render.crossings import Crossings
@@ -127,6 +128,8 @@ class Backend:
             records = self._harvest.records(group)
             if first.choice.intersections:
                 found = self._crossings.find(group, greater=greater, bits=bits)
+                if first.choice.pattern is not None:
+                    lay_pattern(found, first.camera, first.choice.pattern)
                 records = np.concatenate((records, found))
             if not len(records):
                 continue

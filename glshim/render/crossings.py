@@ -153,7 +153,7 @@ class Crossings:
     def find(
         self, draws: Sequence[Draw], *, greater: bool = False, bits: int | None = None
     ) -> Floats:
-        """(L, 17) `glshim.geometry.lines` records where polygons of draws pass through each other.
+        """(L, 18) `glshim.geometry.lines` records where polygons of draws pass through each other.
 
         draws: a group of `glshim.render.cameras.grouped`. greater: farther is less depth. bits of
         the app's finished depth, which `glshim.render.depth.UNIT` holds; None where there is none.

@@ -30,7 +30,7 @@ class Harvest:
         self._cache.tick()
 
     def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
-        """(L, 17) `glshim.geometry.lines` of draws alike in all but batch and modelview."""
+        """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview."""
         large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
         small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
         if len(small) == 1:

@@ -18,7 +18,7 @@ _LINEAR, _MIPMAP, _REPEAT, _TO_EDGE = 0x2601, 0x2703, 0x2901, 0x812F
 
 
 class Textures:
-    """Textures of one context by image. Use it inside the state guard."""
+    """Textures of one context by image, premultiplied. Use it inside the state guard."""
 
     def __init__(self) -> None:
         self._names: dict[Image, int] = {}
@@ -45,7 +45,9 @@ class Textures:
         gl.glBindBuffer(_UNPACK_BUFFER, 0)
         for alignment in ((0x0CF5, 1), (0x0CF2, 0), (0x0CF3, 0), (0x0CF4, 0)):
             gl.glPixelStorei(*alignment)
-        pixels = np.ascontiguousarray(image.pixels[::-1], np.uint8)
+        pixels = np.array(image.pixels[::-1], np.uint8)
+        alpha = pixels[..., 3:] / 255.0
+        pixels[..., :3] = np.rint(pixels[..., :3] * alpha)
         height, width = pixels.shape[:2]
         gl.glTexImage2D(_TEXTURE_2D, 0, _RGBA_8, width, height, 0, _RGBA, _BYTE,
                         pixels.ctypes.data)  # fmt: skip

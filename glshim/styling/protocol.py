@@ -17,7 +17,9 @@ calls GL::
 
 from __future__ import annotations
 
+import difflib
 import math
+import os
 import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
@@ -34,7 +36,7 @@ from glshim.geometry.lines import Choice
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
-Kind = Literal["number", "colour", "switch", "choice", "choice or colour"]
+Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
 Uniform = float | int | tuple[float, ...]
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
@@ -61,7 +63,7 @@ class Option:
     name: str
     kind: Kind
     default: Any
-    """The stored value: a float, bool, `Colour` or one of choices."""
+    """The stored value: a float, bool, `Colour`, one of choices or the path of a picture."""
     help: str
     low: float | None = None
     """Least allowed value of a number (inclusive)."""
@@ -70,7 +72,7 @@ class Option:
     unit: str = ""
     """``px``, ``degrees`` or empty."""
     choices: tuple[str, ...] = ()
-    """Allowed words of kinds ``choice`` and ``choice or colour``."""
+    """Allowed words of kinds ``choice`` and ``choice or ...``."""
 
     @property
     def allowed(self) -> str:
@@ -85,10 +87,13 @@ class Option:
         if self.kind == "colour":
             return "#rrggbb"
         words = ", ".join(self.choices)
+        if self.kind == "choice or picture":
+            return f"{words} or PATH.png"
         return f"{words} or #rrggbb" if self.kind == "choice or colour" else words
 
-    def parse(self, text: str) -> Any:
-        """The stored value that a text stands for. Raises `StyleError`, naming the option."""
+    def parse(self, text: str, folder: str = "") -> Any:
+        """The stored value that a text stands for; relative paths are taken from the folder.
+        Raises `StyleError`, naming the option."""
         text = text.strip()
         if self.kind == "number":
             try:
@@ -103,11 +108,13 @@ class Option:
             return words[text.lower()]
         if text in self.choices:
             return text
+        if self.kind == "choice or picture":
+            return self._picture(text, folder)
         if self.kind != "choice" and _COLOUR.match(text):
             return parse_colour(text)
         raise self._refuse(text)
 
-    def check(self, value: Any) -> Any:
+    def check(self, value: Any, folder: str = "") -> Any:
         """The stored value for a Python value (TOML, a constructor's argument); text colours
         and whole numbers are welcome. Raises `StyleError`, naming the option."""
         if self.kind == "switch":
@@ -120,8 +127,8 @@ class Option:
                 if math.isfinite(value) and low <= value <= high:
                     return float(value)
         elif isinstance(value, str):
-            return self.parse(value)
-        elif self.kind != "choice" and _is_colour(value):
+            return self.parse(value, folder)
+        elif self.kind in ("colour", "choice or colour") and _is_colour(value):
             return tuple(float(channel) for channel in value)
         raise self._refuse(value)
 
@@ -132,6 +139,21 @@ class Option:
         if isinstance(value, tuple):
             return format_colour(value)
         return f"{value:g}" if isinstance(value, float) else str(value)
+
+    def _picture(self, text: str, folder: str) -> str:
+        """The whole path of a picture, which can be read."""
+        from glshim.styling.pictures import read_image
+
+        if not text:
+            raise self._refuse(text)
+        path = os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
+        try:
+            read_image(path)
+        except StyleError as error:
+            near = difflib.get_close_matches(text, self.choices, n=1)
+            hint = f"did you mean {near[0]}?" if near else f"give {self.allowed}"
+            raise StyleError(f"{self.name}={text}: {error}; {hint}") from error
+        return path
 
     def _refuse(self, value: object) -> StyleError:
         return StyleError(f"{self.name}={value} is not allowed: give {self.allowed}")
@@ -154,11 +176,13 @@ def option(
     unit: str = "",
     choices: tuple[str, ...] = (),
     colour: bool = False,
+    picture: bool = False,
 ) -> Any:
     """A dataclass field that is an option of a styler; its kind follows from the default.
 
     ``True``/``False``: switch. A number: number within low..high, in unit. ``"#rrggbb"``:
-    colour, stored as `Colour`. One of choices: choice, or with ``colour=True`` choice or colour.
+    colour, stored as `Colour`. One of choices: choice, or with ``colour=True`` choice or colour,
+    with ``picture=True`` choice or the path of a picture file, stored whole.
     """
     kind: Kind
     if isinstance(default, bool):
@@ -166,7 +190,7 @@ def option(
     elif isinstance(default, (int, float)):
         kind, default = "number", float(default)
     elif choices:
-        kind = "choice or colour" if colour else "choice"
+        kind = "choice or colour" if colour else "choice or picture" if picture else "choice"
     else:
         kind, default = "colour", parse_colour(default)
     described = Option("", kind, default, help, low, high, unit, choices)

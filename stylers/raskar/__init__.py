@@ -12,8 +12,11 @@ from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
+from glshim.geometry.chains import Pattern
 from glshim.geometry.lines import Choice
-from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
+from glshim.geometry.raskar import INWARD
+from glshim.styling.protocol import Colour, Draw, Image, Layer, Shader, Styler, Uniform, option
+from stylers.raskar import textures
 
 _HERE = files(__package__)
 _STROKE = (_HERE / "stroke.glsl").read_text("utf-8")
@@ -60,6 +63,22 @@ class Raskar(Styler):
     connectivity: bool = option(
         True, help="off: no polygon knows its neighbours, depth alone decides, as in the paper"
     )
+    texture: str = option(
+        "none",
+        help="what silhouettes are drawn with; dark is ink in a grey picture, others keep colours",
+        choices=("none", *textures.MADE),
+        picture=True,
+    )
+    texture_length: float = option(
+        0.0,
+        help="length of a silhouette after which the texture repeats; 0: what suits it",
+        low=0.0,
+        high=4096.0,
+        unit="px",
+    )
+    texture_on: str = option(
+        "silhouettes", help="the lines that have the texture", choices=("silhouettes", "all")
+    )
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = option(  # noqa: RUF009
         "app", help="the surfaces: as the app drew them, none, or flat in a colour",
@@ -76,23 +95,41 @@ class Raskar(Styler):
         if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
             return
         ridge, valley = radians(self.ridge_angle), radians(self.valley_angle)
+        pattern, image, stroke_ink = self._stroke()
         choice = Choice(
             self.silhouettes,
             ridge if self.ridges else None,
             valley if self.valleys else None,
             self.intersections,
             self.connectivity,
+            pattern,
         )
-        widths = (
-            self.silhouette_width, self.ridge_width, self.valley_width, self.intersection_width
-        )  # fmt: skip
         uniforms: dict[str, Uniform] = {
-            "widths": widths,
+            "widths": self._widths,
             "ridge_turn": (cos(ridge), sin(ridge)),
             "valley_turn": (cos(valley), sin(valley)),
             "culling": 1.0,
             "ink": self.ink,
-            "stroke_size": (0.0, 0.0),
+            "textured": float(pattern is not None),
+            "stroke_ink": stroke_ink,
         }
         for batch, camera in layer.items:
-            yield Draw(batch, camera, choice, SHADER, uniforms)
+            yield Draw(batch, camera, choice, SHADER, uniforms, image)
+
+    @property
+    def _widths(self) -> tuple[float, float, float, float]:
+        return self.silhouette_width, self.ridge_width, self.valley_width, self.intersection_width
+
+    def _stroke(self) -> tuple[Pattern | None, Image | None, Colour]:
+        """The texture: how it repeats, on narrower lines sooner; its image; what that is multiplied
+        by."""
+        if self.texture == "none":
+            return None, None, self.ink
+        width = self.silhouette_width
+        image, length, coloured = textures.made(self.texture, width, self.texture_length)
+        silhouettes, *others = (length * own / width for own in self._widths)
+        if self.texture_on == "silhouettes":
+            others = [0.0, 0.0, 0.0]
+        ridges, valleys, intersections = others
+        pattern = Pattern((silhouettes, ridges, valleys, intersections), width / 2.0 - INWARD)
+        return pattern, image, (1.0, 1.0, 1.0) if coloured else self.ink

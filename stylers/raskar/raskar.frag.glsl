@@ -3,8 +3,9 @@
 // Source: Raskar 2001, section 2.1.
 
 uniform vec3 ink;
-uniform sampler2D stroke;     // alpha: ink; colour: multiplies ink
-uniform vec2 stroke_size;     // pixels along after which it repeats, or 0 for none; width at v = 1
+uniform float textured;       // 1.0: lines that a pattern repeats along are drawn with a texture
+uniform sampler2D stroke;     // premultiplied; repeats along, from the inside (0) to the outside
+uniform vec3 stroke_ink;      // multiplies it
 
 const float JOINT = 0.02;     // pixels by which strokes of a chain overlap against rounding
 const float LEAN = 1.0;       // pixels' worth of depth by which a line comes nearer in each pixel
@@ -19,12 +20,28 @@ float covered(float s, float past, vec2 from_b) {
     return past > 0.0 && dot(from_b, onwards) < 0.0 ? rim : 0.0;
 }
 
+// The ink at t along and s outwards. Round an outer corner of an outline the pattern runs on in its
+// middle (glshim/geometry/chains.py).
+vec4 drawn_at(float t, float s) {
+    if (textured == 0.0) return vec4(ink, 1.0);
+    float on = t, off = s, past = t - span;
+    if (kind <= FIN) {
+        on = past <= 0.0 ? t : span + 0.5 * (extent.x + extent.y) * atan(past, s);
+        off = past <= 0.0 ? s : length(vec2(past, s));
+    }
+    vec2 place = vec2(mix(repeats.x, repeats.y, on / span),
+                      (off - extent.x) / (extent.y - extent.x));
+    vec4 found = texture(stroke, place) * vec4(stroke_ink, 1.0);
+    return repeats.x == repeats.y ? vec4(ink, 1.0) : found;
+}
+
 void main() {
     vec2 from_a = gl_FragCoord.xy - line_a.xy;
     take_stroke();
     float t = dot(from_a, along), s = dot(from_a, out_1), on = clamp(t, 0.0, span);
     float cover = covered(s, t - on, gl_FragCoord.xy - line_b.xy);
-    if (cover <= 0.0) discard;
+    vec4 drawn = drawn_at(t, s);  // before any discard: it takes derivatives
+    if (cover * drawn.a <= 0.0) discard;
 
     float off = length(vec2(t - on, s));
     if (off > 0.75) {  // nearer, the line itself decides
@@ -36,11 +53,5 @@ void main() {
         if (finished(gl_FragCoord.xy) < nearest) discard;
     }
     if (!seen(on)) discard;
-    vec4 drawn = vec4(ink, 1.0);
-    if (stroke_size.x > 0.0) {
-        float v = (s - extent.x) / (extent.y - extent.x);
-        drawn *= texture(stroke, vec2((extent.w + t) / stroke_size.x, v));
-    }
-    float alpha = cover * drawn.a;
-    colour = vec4(drawn.rgb * alpha, alpha);
+    colour = cover * drawn;
 }

@@ -41,7 +41,9 @@ void main() {
     gl_Position = NOWHERE;
     line_a = line_b = vec3(0.0);
     onwards = grain = vec2(0.0);
-    slopes = extent = vec4(0.0);
+    slopes = vec4(0.0);
+    extent = vec3(0.0);
+    repeats = edge_kind.yz;
     vec3 eye_a = edge_a, eye_b = edge_b;
     if (!cut(eye_a, eye_b)) return;
     line_a = window(eye_a);
@@ -74,8 +76,8 @@ void main() {
     }
 
     float width = widths[max(kind - 2, 0) / 2];
-    extent = vec4(outline || lone ? -INWARD : -0.5 * width,
-                  outline ? width - INWARD : 0.5 * width, kind, edge_kind.y);
+    extent = vec3(outline || lone ? -INWARD : -0.5 * width,
+                  outline ? width - INWARD : 0.5 * width, kind);
     float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
                 : kind == FIN || lone ? 0.0 : min(abs(line_b.z - line_a.z) / span, deep);
     grain = vec2(deep, slack + hair + blur * (lone ? length(slopes.xy) : deep));

@@ -7,7 +7,8 @@ PASSED vec3 line_a;   // pixels of the framebuffer, depth (greater is farther)
 PASSED vec3 line_b;
 PASSED vec2 onwards;  // direction of the next side at an outer corner of an outline; else 0
 PASSED vec4 slopes;   // depth a pixel on the line's plane and on the other polygon's
-PASSED vec4 extent;   // pixels outwards between which the ink lies; kind; pixels along at a
+PASSED vec3 extent;   // pixels outwards between which the ink lies; kind
+PASSED vec2 repeats;  // of a pattern at a and at b; the same where there is none
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
 const float MEETING = 0.05;  // pixels' worth of depth by which surfaces that meet may miss

@@ -7,6 +7,7 @@ import pickle
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
@@ -58,6 +59,18 @@ def test_draws_are_pure_and_plain(styler):
         for value in draw.uniforms.values():
             assert np.isfinite(np.asarray(value, float)).all()
     assert styler().surface in ("app", "none") or len(styler().surface) == 3
+
+
+@pytest.mark.parametrize("texture", ["dotted", "dashed", "charcoal", "a picture"])
+def test_textured_draws_are_pure_too(texture, tmp_path):
+    if texture == "a picture":
+        texture = str(tmp_path / "line.png")
+        Image.new("RGB", (8, 4), (200, 10, 10)).save(texture)
+    one, make = layer(), registry.load("raskar")
+    first, second = (list(make(texture=texture).draws(one)) for _ in range(2))
+    assert first == second
+    assert first[0].image is not None
+    assert first[0].image is second[0].image is first[1].image
 
 
 def test_a_styler_that_wants_no_polygons_draws_nothing(styler):

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.options import describe, parse_capture, parse_frames, parse_style, read_environment
@@ -40,6 +41,12 @@ def test_values_are_numbers_colours_switches_and_words() -> None:
         ("raskar:ridges", "write ridges=on"),
         ("", "no style"),
         ("raskar:=3", "no option ''"),
+        ("raskar:texture=dashy", "/dashy': No such file or directory; did you mean dashed?"),
+        ("raskar:texture=away/line.png", "/away/line.png': No such file or directory; give none,"),
+        ("raskar:texture=/", "cannot read '/' as a picture"),
+        ("raskar:texture=/dev/null", "no picture that Pillow knows; give none, dotted,"),
+        ("raskar:texture=", "give none, dotted, dashed, charcoal or PATH.png"),
+        ("raskar:texture_on=ridges", "silhouettes, all"),
     ],
 )
 def test_a_wrong_text_gives_one_clear_line(text: str, says: str) -> None:
@@ -89,6 +96,62 @@ def test_a_wrong_file_names_itself_and_the_line(tmp_path: Path, content: str, sa
     assert says in str(caught.value)
     assert "mine.toml" in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.fixture
+def line(tmp_path: Path) -> Path:
+    """A picture, in a folder beside which style files lie."""
+    path = tmp_path / "brushes" / "line.png"
+    path.parent.mkdir()
+    Image.new("L", (8, 4), 90).save(path)
+    return path
+
+
+@pytest.mark.parametrize("name", ["none", "dotted", "dashed", "charcoal"])
+def test_a_texture_is_a_word(name: str) -> None:
+    assert parse_style(f"raskar:texture={name}") == Raskar(texture=name)
+
+
+def test_a_texture_is_a_picture_whose_whole_path_is_kept(
+    line: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(line.parent)
+    for style in (
+        parse_style("raskar:texture=line.png"),
+        parse_style(f"raskar:texture={line}"),
+        parse_style("raskar:texture=brushes/line.png", str(line.parent.parent)),
+    ):
+        assert style == Raskar(texture=str(line))
+
+
+def test_a_picture_is_looked_for_beside_the_style_file(
+    line: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = line.parent.parent / "mine.toml"
+    path.write_text('style = "raskar"\ntexture = "brushes/line.png"\n')
+    expected = Raskar(texture=str(line))
+    assert parse_style(str(path)) == expected
+    assert parse_style("mine.toml", str(path.parent)) == expected
+    monkeypatch.chdir(path.parent)
+    assert parse_style("mine.toml") == expected
+
+
+def test_a_picture_missing_beside_a_style_file_is_named_with_the_line(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('style = "raskar"\n\ntexture = "gone.png"\n')
+    with pytest.raises(StyleError) as caught:
+        parse_style(str(path))
+    assert f"{path}:3: texture=gone.png: there is no picture '{tmp_path}/gone.png'" in str(
+        caught.value
+    )
+
+
+def test_a_broken_picture_is_refused(line: Path) -> None:
+    whole = line.read_bytes()
+    for broken in (b"", whole[:40], whole.replace(b"IDAT", b"IDOT")):
+        line.write_bytes(broken)
+        with pytest.raises(StyleError, match="as a picture"):
+            parse_style(f"raskar:texture={line}")
 
 
 def test_a_file_that_is_not_there_is_named() -> None:
@@ -150,7 +213,11 @@ def test_a_description_lists_every_option_with_range_and_default() -> None:
 
 @given(
     st.text()
-    | st.builds("raskar:{}={}".format, st.sampled_from(["ink", "ridges", "ridge_angle"]), st.text())
+    | st.builds(
+        "raskar:{}={}".format,
+        st.sampled_from(["ink", "ridges", "ridge_angle", "texture"]),
+        st.text(),
+    )
     | st.text().map("{}.toml".format)
 )
 @example("\0")

@@ -6,7 +6,7 @@ layout(location = 1) in vec3 edge_b;      // to b, its polygon on the left in th
 layout(location = 2) in vec3 edge_c;      // where an outline goes on from b, or b
 layout(location = 3) in vec3 edge_own;    // unit normal of its polygon, of the winding along a to b
 layout(location = 4) in vec3 edge_other;  // of the other polygon on the edge, or 0
-layout(location = 5) in vec2 edge_kind;   // RING ...; pixels along the stroke at a
+layout(location = 5) in vec3 edge_kind;   // RING ...; repeats of a pattern at a and at b
 
 uniform mat4 projection;        // eye to clip
 uniform mat4 unprojection;      // clip to eye

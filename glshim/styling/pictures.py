@@ -1,0 +1,70 @@
+"""Picture files that options name."""
+
+from __future__ import annotations
+
+import os
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.errors import StyleError
+from glshim.styling.protocol import Image
+
+_MOST = 4096
+"""Pixels a side that every driver takes; larger pictures are made smaller."""
+_COLOURLESS = 8
+"""Difference between channels up to which a picture is grey."""
+
+
+def read_image(path: str) -> Image:
+    """A picture file as `stroke_pixels`: the same `Image` again until the file changes.
+
+    Raises `StyleError` when there is none, or Pillow cannot read it.
+    """
+    try:
+        stamp = os.stat(path)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise StyleError(f"there is no picture {path!r}: {reason}") from error
+    return _read(path, stamp.st_mtime_ns, stamp.st_size)
+
+
+@lru_cache(maxsize=16)
+def _read(path: str, _changed: int, _size: int) -> Image:
+    from PIL import Image as Pillow
+
+    try:
+        with Pillow.open(path) as picture:
+            shrink = max(1.0, max(picture.size) / _MOST)
+            whole = picture.convert("RGBA")
+            if shrink > 1.0:
+                size = (max(int(side / shrink), 1) for side in picture.size)
+                whole = whole.resize((next(size), next(size)))
+            return Image(stroke_pixels(np.asarray(whole)))
+    except Exception as error:  # Pillow's decoders raise nearly anything
+        reason = "no picture that Pillow knows" if _unknown(error) else " ".join(str(error).split())
+        raise StyleError(f"cannot read {path!r} as a picture: {reason}") from error
+
+
+def _unknown(error: Exception) -> bool:
+    return type(error).__name__ == "UnidentifiedImageError"
+
+
+def stroke_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """What a picture (H, W, 4) means as a stroke: of a grey one darkness is ink, in white, to be
+    multiplied by a colour; one in colours keeps them, and its alpha is ink."""
+    channels = rgba[..., :3].astype(np.int32)
+    seen = rgba[..., 3] > 0
+    spread = channels.max(axis=2) - channels.min(axis=2)
+    if (spread[seen] > _COLOURLESS).any():
+        return np.array(rgba)
+    pixels = np.full(rgba.shape, 255, np.uint8)
+    darkness = (255 - channels.mean(axis=2)) * rgba[..., 3] / 255.0
+    pixels[..., 3] = np.rint(darkness).astype(np.uint8)
+    return pixels
+
+
+def is_coloured(image: Image) -> bool:
+    """Whether an image that `read_image` gave has colours of its own."""
+    return bool((image.pixels[..., :3] < 255).any())
