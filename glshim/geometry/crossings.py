@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry import edges
 from glshim.geometry.edges import Doubles, Flags, Indices, _cross, _unit
-from glshim.geometry.lines import INTERSECTION, RECORD
+from glshim.geometry.lines import ASKEW, INTERSECTION, RECORD
 
 _PARALLEL = np.radians(0.5)
 """Angle between planes, radians, below which they have no line in common."""
@@ -78,6 +78,22 @@ def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None =
     if owner is not None and len(crowd):
         _pair(found, sides, crowd, owner[crowd // 3])
     return np.asarray(found.reshape(-1, 3) // 3)
+
+
+def bridge(triangles: Triangles, beside: Indices, among: Indices) -> None:
+    """Note in beside (T, 3) which sides without a neighbour lie together, in eye space, of the
+    triangles in among: how an app cuts a surface into objects does not matter."""
+    row, side = np.nonzero(beside[among] < 0)
+    if len(row) < 2:
+        return
+    which = among[row]
+    corners = triangles[which]
+    at = np.arange(len(which))
+    ends = np.concatenate((corners[at, side], corners[at, (side + 1) % 3]), axis=1)
+    order, first, _ = edges.neighbours(ends.astype(np.float32), None)
+    start = first[np.diff(first, append=len(order)) == 2]
+    one, other = order[start], order[start + 1]
+    beside[which[one], side[one]], beside[which[other], side[other]] = which[other], which[one]
 
 
 def _sides(triangles: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -166,11 +182,16 @@ def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Dou
 def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np.float32]:
     """(L, 17) float32 records, eye space, of what `segments` finds: `glshim.geometry.lines`."""
     ends, rows = segments(triangles, beside, pairs)
+    # In an order that the place alone decides: what came first makes no difference.
+    turned = ends[:, 0] @ ASKEW < ends[:, 1] @ ASKEW
+    ends[turned] = ends[turned, ::-1]
     made = np.zeros((len(rows), RECORD), np.float32)
     made[:, :6] = ends.reshape(-1, 6)
     made[:, 6:9] = ends[:, 1]
-    for part in (0, 1):
-        made[:, 9 + 3 * part : 12 + 3 * part] = _normals(triangles[pairs[rows, part]])
+    normals = [_normals(triangles[pairs[rows, part]]) for part in (0, 1)]
+    later = (normals[0] @ ASKEW < normals[1] @ ASKEW)[:, None]
+    made[:, 9:12] = np.where(later, normals[1], normals[0])
+    made[:, 12:15] = np.where(later, normals[0], normals[1])
     made[:, 15] = INTERSECTION
     return made
 

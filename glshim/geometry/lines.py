@@ -43,6 +43,9 @@ _SHARP = np.radians(150.0)
 _ANGLE_GRAIN = 1e-3
 """Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
 
+ASKEW = np.array((0.571, 0.733, 0.369))
+"""A direction that no app has in mind."""
+
 _Found = list[tuple[int, Indices, Indices | None]]
 """Lines of a kind: their sides, and the other polygon's sides on the same edges."""
 
@@ -155,6 +158,7 @@ class _Seen:
         records = np.empty((count, RECORD), np.float32)
         if not count:
             return records
+        found = [(kind, *self._ordered(sides, others)) for kind, sides, others in found]
         sides = np.concatenate([sides for _, sides, _ in found])
         ends, normals = self._ends(sides), self._normals(sides)
         turned = ~self.ccw[sides]
@@ -173,6 +177,14 @@ class _Seen:
                 records[part, 12:15] = self._normals(others)
             at += len(some)
         return records
+
+    def _ordered(self, sides: Indices, others: Indices | None) -> tuple[Indices, Indices | None]:
+        """Both sides of edges, in an order that their place alone decides: which polygon came
+        first makes no difference, to the last bit."""
+        if others is None:
+            return sides, None
+        later = self._normals(sides) @ ASKEW < self._normals(others) @ ASKEW
+        return np.where(later, others, sides), np.where(later, sides, others)
 
     def _ends(self, sides: Indices) -> Floats:
         """(N, 2, 3) both ends in eye space."""

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.lines import CONTOUR, FIN, HOLLOW, LONE_RIDGE, LONE_VALLEY, OUTLINES, RING
+from glshim.geometry.lines import CONTOUR, FIN, HOLLOW, LONE_RIDGE, LONE_VALLEY, OUTLINES
 from glshim.geometry.screen import cut, window
 
 Doubles = NDArray[np.float64]

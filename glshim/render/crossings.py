@@ -125,9 +125,13 @@ class _Scene:
         """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
         first = self._starts
         beside = np.full((int(first[-1]), 3), -1, np.intp)
-        for at in np.unique(np.searchsorted(first, pairs, side="right") - 1).tolist():
+        named = np.unique(np.searchsorted(first, pairs, side="right") - 1).tolist()
+        for at in named:
             own = self._bodies[at].neighbours
             beside[first[at] : first[at + 1]] = np.where(own >= 0, own + first[at], -1)
+        if len(named) > 1:
+            among = [np.arange(first[at], first[at + 1]) for at in named]
+            crossings.bridge(self, beside, np.concatenate(among))
         return beside
 
 

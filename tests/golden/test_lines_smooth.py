@@ -60,7 +60,8 @@ def test_order_and_objects_do_not_matter(backend, eye, features):
     style = Raskar(**only)
     whole = look.batch(points, polygons)
     first = look.styled(backend, style, (whole, Camera(view, projection, PORT)))
-    assert (first[0] != first[1]).any()
+    hidden = features == "intersections" and eye == VIEWS[2]
+    assert (first[0] != first[1]).any() != hidden
     rng = np.random.default_rng(11)
     for _ in range(20):
         order = rng.permutation(len(polygons))
