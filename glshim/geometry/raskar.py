@@ -34,7 +34,7 @@ INWARD = 0.5
 not smooth, and the whole pixel beside it has to be ink."""
 EDGE_ON = 0.02
 """Cosine to the line of sight below which a quad is left out: it cannot be seen."""
-STEEPEST = 60.0
+STEEPEST = 600.0
 """Pixels' worth of depth a pixel at which the slope of a plane is cut."""
 
 

@@ -41,14 +41,21 @@ float surface(vec2 off) {
     return dot(off, out_1) < 0.0 ? own : other;
 }
 
-// Whether a line is seen in a pixel beside a place: what is drawn there is no nearer than the side,
-// or it is the line's own surface, which may rise towards the viewer.
-bool seen_beside(vec3 place, vec2 outwards) {
+// Whether what is drawn in the pixel beside a place is no nearer than the side.
+bool clear_beside(vec3 place, vec2 outwards) {
+    vec2 centre = beyond(place.xy, outwards);
+    return finished(centre) - place.z >= level(centre - place.xy) - grain.y;
+}
+
+// What an edge shows in the pixel beside a place. 3: the polygon that lies there. 2: something that
+// is no nearer than the edge. 1: something a little nearer: the next polygon. 0: something before it.
+int shown_beside(vec3 place, vec2 outwards) {
     vec2 centre = beyond(place.xy, outwards), off = centre - place.xy;
-    float depth = finished(centre) - place.z, own = surface(off);
-    if (depth >= level(off) - grain.y) return true;
+    float depth = finished(centre) - place.z;
     vec2 slope = dot(off, out_1) < 0.0 ? slopes.xy : slopes.zw;
-    return kind > FIN && abs(depth - own) <= grain.y + 0.25 * grain.x + 0.03 * length(slope);
+    if (abs(depth - surface(off)) <= grain.y + 0.25 * grain.x + 0.03 * length(slope)) return 3;
+    float before = level(off) - grain.y - depth;
+    return before <= 0.0 ? 2 : before < 3.0 * grain.x ? 1 : 0;
 }
 
 // What is drawn beside a place, carried on to the side over three pixels: its depth over the side's.
@@ -87,15 +94,20 @@ bool seen_alone(vec3 place) {
 bool seen_at(float t) {
     vec3 place = point(t);
     if (kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY) return seen_alone(place);
-    bool here = seen_beside(place, out_1);
-    if (kind > FIN) return here || seen_beside(place, -out_1);
+    if (kind > FIN) {  // one of its polygons is enough, or nothing before it
+        int right = shown_beside(place, out_1);
+        return right == 3 || right + shown_beside(place, -out_1) >= 3;
+    }
+    bool here = clear_beside(place, out_1);
     if (kind == RING) return here || stands_out(place, 0.0);
     // Two pixels beside a smooth contour: flaps of the mesh stand out less.
-    return here && seen_beside(place + vec3(out_1, 0.0), out_1) || stands_out(place, -grain.y);
+    return here && clear_beside(place + vec3(out_1, 0.0), out_1) || stands_out(place, -grain.y);
 }
 
-// Two of three places along the line: no dots, no holes of two pixels.
+// Most of five places along the line: no dots, no holes of two pixels.
 bool seen(float t) {
-    bool here = seen_at(t), before = seen_at(t - 2.0);
-    return here == before ? here : seen_at(t + 2.0);
+    bool here = seen_at(t), before = seen_at(t - 1.0), after = seen_at(t + 1.0);
+    if (here == before && here == after) return here;
+    int count = int(here) + int(before) + int(after);
+    return count + int(seen_at(t - 2.0)) + int(seen_at(t + 2.0)) > 2;
 }
