@@ -9,7 +9,13 @@ import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
-from glshim.geometry.lines import lay_pattern
+            if first.choice.intersections and self._crossings is None:
+                say_once(f"{UNAVAILABLE}; the other lines are drawn")
+            elif first.choice.intersections and self._crossings:
+                found = self._crossings.find(group, greater=greater, bits=bits)
+                if first.choice.pattern is not None:
+                    lay_pattern(found, first.camera, first.choice.pattern)
+                records = np.concatenate((records, found))
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
 from glshim.render.crossings import Crossings
@@ -21,7 +27,7 @@ from glshim.render.laying import Layer
 from glshim.render.legacy import LegacyPen
 from glshim.render.pen import Pen
 from glshim.render.textures import Textures
-from glshim.spec.context import MODERN, shortcoming, version, version_text
+from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.styling.protocol import Draw
 
 _OFF = (  # what would change or drop the ink: each is enabled by some app
@@ -132,7 +138,9 @@ class Backend:
         for group in groups:
             first = group[0]
             records = self._harvest.records(group)
-            if first.choice.intersections and self._crossings is not None:
+            if first.choice.intersections and self._crossings is None:
+                say_once(f"{UNAVAILABLE}; the other lines are drawn")
+            elif first.choice.intersections and self._crossings:
                 found = self._crossings.find(group, greater=greater, bits=bits)
                 if first.choice.pattern is not None:
                     lay_pattern(found, first.camera, first.choice.pattern)

@@ -1,9 +1,10 @@
-"""What the current context offers to whom draws lines: its version, and what 2.1 may lack."""
+"""The version of the current context, and what older ones may lack. Asked without GL errors."""
 
 from __future__ import annotations
 
 import ctypes
 import re
+from functools import cache
 
 from .driver import gl
 
@@ -13,7 +14,10 @@ MODERN: Version = (3, 3)
 """From here on the GPU expands line records to strokes."""
 OLDEST: Version = (2, 1)
 """From here on the CPU does: fragments still need GLSL 1.20."""
+UNAVAILABLE = "intersections need OpenGL {}.{}".format(*MODERN)
+"""What older contexts go without, in words."""
 _FRAMEBUFFERS, _VERTEX_ARRAYS = "GL_ARB_framebuffer_object", "GL_ARB_vertex_array_object"
+_RESTARTS = ((0x8F9D, (3, 1)), (0x8D69, (4, 3)))
 _VERSION, _EXTENSIONS, _UNITS = 0x1F02, 0x1F03, 0x8B4D
 _PROFILE_MASK, _EXTENSION_COUNT = 0x9126, 0x821D
 _UNITS_NEEDED = 16
@@ -26,9 +30,19 @@ def version_text() -> str:
 
 def version() -> Version | None:
     """Of desktop OpenGL; None for anything else."""
-    text = version_text()
+    return _number(version_text())
+
+
+@cache
+def _number(text: str) -> Version | None:
     found = re.match(r"(\d+)\.(\d+)", text)
     return (int(found[1]), int(found[2])) if found else None
+
+
+def restarts_primitives() -> bool:
+    """Whether some index ends a primitive in the draws of now. Asks what this version knows."""
+    number = version() or OLDEST
+    return any(number >= since and gl.glIsEnabled(switch) for switch, since in _RESTARTS)
 
 
 def has_vertex_arrays() -> bool:
@@ -37,10 +51,7 @@ def has_vertex_arrays() -> bool:
 
 
 def shortcoming() -> str:
-    """Why no lines can be drawn in the current context, whoever expands them; empty when they can.
-
-    Without errors in any version.
-    """
+    """Why no lines can be drawn in the current context, whoever expands them; empty if they can."""
     number = version()
     if number is None:
         return f"version {version_text()!r} is not one of desktop OpenGL"

@@ -249,7 +249,7 @@ class Shader:
     vertices: int
     """Vertices of the strip of one edge."""
     expand: Expand | None = None
-    """`vertex` for OpenGL before 3.3, which has the `fragment` alone (in GLSL 1.20); None: there the
+    """`vertex` for OpenGL before 3.3, which has the `fragment` alone, as GLSL 1.20. None: there the
     shader draws nothing."""
 
 
