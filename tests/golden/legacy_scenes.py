@@ -1,5 +1,8 @@
-"""Meshes under style raskar, as the current context draws them: ``python -m
-tests.golden.legacy_scenes OUT`` writes the pictures without and with lines, and who expanded them."""
+"""Meshes under style raskar, as the contexts of now draw them.
+
+``python -m tests.golden.legacy_scenes OUT`` writes the pictures without and with lines, and who
+expanded them.
+"""
 
 from __future__ import annotations
 

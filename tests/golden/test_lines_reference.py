@@ -117,9 +117,7 @@ def test_gpu_strokes_are_the_reference(backend, camera, angle, name):
     """All that the vertex shader gives, as near as rounding the inputs to float32 lets it be."""
     angle = np.radians(angle)
     records = records_of(look.MESHES[name](), camera, angle)
-    found = backend.pen.varyings(
-        records, camera, SHADER, uniforms_of(angle), OUTPUTS, hair=HAIR
-    )
+    found = backend.pen.varyings(records, camera, SHADER, uniforms_of(angle), OUTPUTS, hair=HAIR)
     drawn, wanted = reference(records, camera, angle)
     assert drawn.sum() > 10
     rng = np.random.default_rng(1)
@@ -143,9 +141,9 @@ def test_gpu_strokes_are_the_reference(backend, camera, angle, name):
     assert (np.abs(turn) < 2e-3)[hinge & drawn & sure].all()
     assert (hinge & drawn).mean() < 0.1
     compared = drawn & sure & ~nowhere & ~hinge
-    for output, values in wanted.items():
-        spread = np.max([np.abs(other[1][output] - values) for other in others], axis=0)[compared]
-        values = values[compared]
+    for output, every in wanted.items():
+        spread = np.max([np.abs(other[1][output] - every) for other in others], axis=0)[compared]
+        values = every[compared]
         here = found[output][compared]
         if output != "gl_Position":
             assert (here == here[:, :1]).all(), output  # flat
@@ -201,7 +199,7 @@ def test_strokes_have_the_asked_pixels_and_lie_in_the_papers_planes(name):
         if np.hypot(*slope) > 0.99 * raskar.STEEPEST * deep:
             continue  # cut
         for offset in ((5.0, 0.0), (0.0, -7.0), (3.0, 4.0)):
-            place = start + (*offset, slope @ offset)
+            place = start + np.array((*offset, slope @ offset))
             x, y, width_, height = camera.viewport
             half = np.array((width_, height)) / 2
             ndc = np.r_[(place[:2] - (x, y) - half) / half, 2 * place[2] - 1, 1]
