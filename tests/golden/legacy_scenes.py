@@ -15,6 +15,7 @@ from OpenGL import GL
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
+from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look
 
@@ -59,6 +60,17 @@ def scenes():
     yield "viewport, scissor box, depth range", style, ((look.torus(), narrow),)
 
 
+def _without_depth() -> None:
+    """Draw into a framebuffer of colours alone from now on."""
+    GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, GL.glGenFramebuffers(1))
+    GL.glBindRenderbuffer(GL.GL_RENDERBUFFER, GL.glGenRenderbuffers(1))
+    GL.glRenderbufferStorage(GL.GL_RENDERBUFFER, GL.GL_RGBA8, 400, 400)
+    GL.glFramebufferRenderbuffer(
+        GL.GL_FRAMEBUFFER, GL.GL_COLOR_ATTACHMENT0, GL.GL_RENDERBUFFER,
+        GL.glGetIntegerv(GL.GL_RENDERBUFFER_BINDING),
+    )  # fmt: skip
+
+
 def main(out: str) -> None:
     found = {}
     with look.window():
@@ -67,6 +79,13 @@ def main(out: str) -> None:
         for name, style, items in scenes():
             before, after, _ = look.styled(backend, style, *items)
             found[f"{name}|before"], found[f"{name}|after"] = before, after
+        _without_depth()
+        name, style, items = next(scenes())
+        look.clear()
+        look.draw_base(*items[0])
+        found["no depth buffer|before"] = look.pixels()
+        backend.render(style.draws(Layer(items)))
+        found["no depth buffer|after"] = look.pixels()
         assert GL.glGetError() == 0
     with look.window(samples=4):
         backend = Backend.attach()

@@ -20,11 +20,35 @@ DEMOS = ("island", "robot_arm", "cad_part", "viewer_knot")
 STATE_SCENES = "array_draws-client or vertex_array_objects or everything_under-current or lists"
 
 
+BARE = """
+from glshim.following import scene
+from glshim.render import guard, laying
+from glshim.spec.driver import gl
+from tests.differential.test_contexts import VISIBLE, cube, inked
+from tests.differential.world import run
+
+def missing(*args):
+    raise AssertionError("2.1 has no such function")
+
+for module in (scene, guard, laying):
+    module.has_vertex_arrays = lambda: False
+for name in ("glBindVertexArray", "glDeleteVertexArrays", "glGenVertexArrays", "glIsVertexArray",
+             "glVertexAttribDivisor", "glDrawArraysInstanced", "glGetStringi"):
+    setattr(gl, name, missing)
+plain = run(lambda app: cube())
+for _ in range(3):
+    lines = run(lambda app: cube(), VISIBLE)
+    assert plain.differences(lines, pictures=False) == {}, plain.differences(lines)
+    assert inked(lines) > 100
+"""
+"""What Mesa cannot take away: functions that came after 2.1, but for framebuffer objects."""
+
+
 def child(*command: str, **variables: str) -> subprocess.CompletedProcess[str]:
     """A process of its own that imports this checkout."""
     environment = os.environ | {"PYTHONPATH": str(ROOT)} | variables
     return subprocess.run(
-        [sys.executable, "-m", *command], cwd=ROOT, env=environment, capture_output=True,
+        [sys.executable, *command], cwd=ROOT, env=environment, capture_output=True,
         text=True, check=False, timeout=600,
     )  # fmt: skip
 
@@ -35,7 +59,7 @@ def both(tmp_path_factory):
     found = []
     for name, variables in (("3.3", {}), ("2.1", LEGACY)):
         out = tmp_path_factory.mktemp("legacy") / f"{name}.npz"
-        done = child("tests.golden.legacy_scenes", str(out), **variables)
+        done = child("-m", "tests.golden.legacy_scenes", str(out), **variables)
         assert done.returncode == 0, done.stderr
         with np.load(out) as saved:
             found.append(dict(saved))
@@ -108,21 +132,27 @@ def test_demo_programs_look_alike(name, display, monkeypatch):
 def test_a_2_1_context_is_left_as_it_was():
     """The tests of state under 3.3, run there: hostile states, arrays, lists, errors."""
     done = child(
-        "pytest", "-q", "-p", "no:cacheprovider", "tests/golden/test_lines_state.py", **LEGACY
+        "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/golden/test_lines_state.py", **LEGACY
     )
     assert done.returncode == 0, done.stdout[-4000:]
     done = child(
-        "pytest", "-q", "-p", "no:cacheprovider", "tests/differential/test_transparent.py",
+        "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/differential/test_transparent.py",
         "-k", f"raskar and ({STATE_SCENES})", **LEGACY,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout[-4000:]
+
+
+def test_nothing_is_called_that_2_1_lacks():
+    done = child("-c", BARE, **LEGACY)
+    assert done.returncode == 0, done.stderr
+    assert "switched off" not in done.stderr
 
 
 def test_doctor_names_the_way_and_what_is_unavailable():
     said = {}
     for name, variables in (("3.3", {}), ("2.1", LEGACY),
                             ("1.4", {"MESA_GL_VERSION_OVERRIDE": "1.4"})):  # fmt: skip
-        said[name] = child("glshim", "doctor", **variables).stdout
+        said[name] = child("-m", "glshim", "doctor", **variables).stdout
     assert "expanded by the GPU (OpenGL 3.3)" in said["3.3"]
     assert "unavailable" not in said["3.3"]
     assert "expanded by the CPU (OpenGL 2.1)" in said["2.1"]
@@ -132,5 +162,5 @@ def test_doctor_names_the_way_and_what_is_unavailable():
 
 def test_2_1_without_framebuffer_objects_is_named():
     variables = LEGACY | {"MESA_EXTENSION_OVERRIDE": "-GL_ARB_framebuffer_object"}
-    said = child("glshim", "doctor", **variables).stdout
+    said = child("-m", "glshim", "doctor", **variables).stdout
     assert "no: OpenGL 2.1 without GL_ARB_framebuffer_object" in said
