@@ -102,10 +102,10 @@ class LegacyPen:
                 f"attribute {_TYPES[size]} of_{name}; varying {_TYPES[size]} {name};"
                 for name, size in sizes
             )
-            passed = " ".join(f"{name} = of_{name};" for name, _ in sizes)
+            copied = " ".join(f"{name} = of_{name};" for name, _ in sizes)
             name = compiled(
                 shader.name,
-                f"#version 120\n#define DECLARED {declared}\n#define PASSED {passed}\n{_VERTEX}",
+                f"#version 120\n#define DECLARED {declared}\n#define COPIED {copied}\n{_VERTEX}",
                 f"#version 120\n{_FRAGMENT}\n#line 1\n{shader.fragment}",
                 ("place", *(f"of_{name}" for name, _ in sizes)),
             )

@@ -212,7 +212,7 @@ class Expansion:
     places: NDArray[np.floating[Any]]
     """(N, V, 2) pixels of the framebuffer."""
     values: Mapping[str, NDArray[np.floating[Any]]]
-    """(N, 1..4) by the name of a ``FROM_VERTEX`` float or vector: what the fragments of a line get,
+    """(N, 1..4) by the name of a ``PASSED`` float or vector: what the fragments of a line get,
     the same in all of it."""
 
 
