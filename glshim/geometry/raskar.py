@@ -34,6 +34,8 @@ INWARD = 0.5
 not smooth, and the whole pixel beside it has to be ink."""
 EDGE_ON = 0.02
 """Cosine to the line of sight below which a quad is left out: it cannot be seen."""
+JOINT = 0.02
+"""Pixels by which strokes of a chain overlap against rounding."""
 STEEPEST = 60.0
 """Pixels' worth of depth a pixel at which the slope of a plane is cut."""
 
@@ -200,6 +202,7 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     t = (pixels - a) @ along
     s = (pixels - a) @ np.array((along[1], -along[0]))
     past = t - np.clip(t, 0.0, length)
+    past[np.abs(past) < JOINT] = 0.0
     rim = np.clip(outer + 0.5 - np.hypot(past, s), 0.0, 1.0)
     if inner == -outer:
         return np.asarray(rim)

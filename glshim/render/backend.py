@@ -53,9 +53,7 @@ _LAID_BITS = 24
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
-    def __init__(
-        self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int
-    ) -> None:
+    def __init__(self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int) -> None:
         self.pen = pen
         self._crossings = crossings
         self._harvest = Harvest(cache_bytes)

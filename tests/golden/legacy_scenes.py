@@ -38,7 +38,7 @@ def star(points=5) -> PolygonBatch:
 
 def scenes():
     """Style and items by name."""
-    style = Raskar(silhouette_width=3, ridge_width=2, valley_width=3)
+    style = Raskar(silhouette_width=3, ridge_width=2, valley_width=3, intersections=False)
     for name, make in {**look.MESHES, "teapot": look.teapot, "star": star}.items():
         mesh = make()
         for k, direction in enumerate(look.directions(5)):
@@ -49,6 +49,7 @@ def scenes():
                   PORT)  # fmt: skip
     yield "inside a cube", style, ((look.cube(), near),)
     plain = Camera(look.look_at((3, 2, 2)), LENS, PORT)
+    # Asks for intersections, too, and has none.
     yield "wide", Raskar(silhouette_width=12, ridge_width=9), ((look.cylinder(), plain),)
     paper = dataclasses.replace(style, connectivity=False)
     for name, mesh in (("cube", look.cube()), ("star", star())):
