@@ -9,13 +9,8 @@ import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
-            if first.choice.intersections and self._crossings is None:
-                say_once(f"{UNAVAILABLE}; the other lines are drawn")
-            elif first.choice.intersections and self._crossings:
-                found = self._crossings.find(group, greater=greater, bits=bits)
-                if first.choice.pattern is not None:
-                    lay_pattern(found, first.camera, first.choice.pattern)
-                records = np.concatenate((records, found))
+from glshim.geometry.lines import lay_pattern
+from glshim.notices import say_once
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
 from glshim.render.crossings import Crossings
