@@ -56,8 +56,10 @@ class Strokes:
     slopes: Doubles
     """(L, 4) depth a pixel on the line's plane and, if it has one, on the other polygon's."""
     extent: Doubles
-    """(L, 4) pixels across, outwards (to the right of a to b), between which the ink lies; the kind
-    of line; pixels along the stroke at a."""
+    """(L, 3) pixels across, outwards (to the right of a to b), between which the ink lies; the kind
+    of line."""
+    repeats: Doubles
+    """(L, 2) of a pattern at the record's own a and b, as `glshim.geometry.lines.RECORD` has them."""
     grain: Doubles
     """(L, 2) depth of a pixel on a plane at 45 degrees to the line of sight; and the depth by which
     a line may lie behind what is drawn and count as seen."""
@@ -129,8 +131,8 @@ def strokes(
         np.minimum(leaning, deep),
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
-        drawn, start, finish, onwards, slopes, np.c_[inwards, outwards, rows[:, 15:17]],
-        np.c_[deep, slack],
+        drawn, start, finish, onwards, slopes, np.c_[inwards, outwards, rows[:, 15]],
+        rows[:, 16:18], np.c_[deep, slack],
     )  # fmt: skip
 
 

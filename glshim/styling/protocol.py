@@ -228,7 +228,7 @@ class Expand(Protocol):
         hair: float,
         blur: float,
     ) -> Expansion:
-        """Strips of records (L, 17), see `glshim.geometry.lines.RECORD`. The camera's depth range
+        """Strips of records (L, 18), see `glshim.geometry.lines.RECORD`. The camera's depth range
         is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by which
         depths may not be those of pixel centres."""
 

@@ -46,6 +46,7 @@ def expand(
         "onwards": strokes.onwards,
         "slopes": strokes.slopes,
         "extent": strokes.extent,
+        "repeats": strokes.repeats,
         "grain": strokes.grain,
     }
     return Expansion(places[drawn], {name: rows[drawn] for name, rows in values.items()})

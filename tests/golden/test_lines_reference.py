@@ -38,7 +38,8 @@ from tests import look
 VIEW = (10, 20, 640, 360)
 HAIR = 3e-7
 OUTPUTS = {
-    "gl_Position": 4, "line_a": 3, "line_b": 3, "onwards": 2, "slopes": 4, "extent": 4, "grain": 2
+    "gl_Position": 4, "line_a": 3, "line_b": 3, "onwards": 2, "slopes": 4, "extent": 3,
+    "repeats": 2, "grain": 2,
 }  # fmt: skip
 WIDTHS = (5.0, 2.5, 4.0, 3.0)
 
@@ -71,7 +72,9 @@ def records_of(mesh, camera, angle):
     alone = lines(parts, camera, dataclasses.replace(choice, connectivity=False))
     crossing = known[np.isin(known[:, 15], (RIDGE, VALLEY))].copy()
     crossing[:, 15] = INTERSECTION
-    return np.concatenate([known, alone, crossing])
+    found = np.concatenate([known, alone, crossing])
+    found[:, 16:18] = np.random.default_rng(2).uniform(-3, 3, (len(found), 2))
+    return found
 
 
 def uniforms_of(angle):
@@ -99,7 +102,7 @@ def reference(records, camera, angle):
     return strokes.drawn, {
         "gl_Position": places, "line_a": strokes.start, "line_b": strokes.finish,
         "onwards": strokes.onwards, "slopes": strokes.slopes, "extent": strokes.extent,
-        "grain": strokes.grain,
+        "grain": strokes.grain, "repeats": strokes.repeats,
     }  # fmt: skip
 
 
@@ -234,7 +237,7 @@ def test_coverage_is_what_the_gpu_draws(backend, name):
     camera, angle = cameras()[name], np.radians(120.0)
     records = records_of(look.cube(), camera, angle)
     strokes = strokes_of(records, camera, angle)
-    uniforms = uniforms_of(angle) | {"ink": (1.0, 1.0, 1.0), "stroke_size": (0.0, 0.0)}
+    uniforms = uniforms_of(angle) | {"ink": (1.0, 1.0, 1.0), "stroke_ink": (1.0, 1.0, 1.0)}
     shader = everywhere(SHADER)
     width, height = VIEW[0] + VIEW[2], VIEW[1] + VIEW[3]
     box = (0, 0, width, height)
