@@ -59,7 +59,7 @@ class Strokes:
     """(L, 3) pixels across, outwards (to the right of a to b), between which the ink lies; the kind
     of line."""
     repeats: Doubles
-    """(L, 2) of a pattern at the record's own a and b, as `glshim.geometry.lines.RECORD` has them."""
+    """(L, 2) of a pattern at a and at b, see `glshim.geometry.lines.RECORD`."""
     grain: Doubles
     """(L, 2) depth of a pixel on a plane at 45 degrees to the line of sight; and the depth by which
     a line may lie behind what is drawn and count as seen."""
