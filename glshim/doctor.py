@@ -20,10 +20,9 @@ from glshim.capture.toolkits import TOOLKITS
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.headless import virtual_screen
 from glshim.probe import Probe
+from glshim.spec.context import MODERN, UNAVAILABLE
 from glshim.styling import registry
 
-NEEDED = (3, 3)
-"""The OpenGL version that draws the extra lines."""
 _PROBE_SECONDS = 60
 _VARIABLES = (options.STYLE, options.FRAMES, options.CAPTURE)
 
@@ -113,10 +112,16 @@ def _context(headless: bool, troubles: list[str]) -> None:
     _row("version", f"{found.version}, GLSL {found.glsl}")
     _row("profile", found.profile)
     _row("window", f"{found.depth_bits} depth bits, {found.samples} samples")
-    enough = found.number >= NEEDED
-    _row("extra lines", "yes" if enough else f"no: they need OpenGL {NEEDED[0]}.{NEEDED[1]}")
-    if not enough:
-        troubles.append(f"OpenGL {found.version} is too old for extra lines: programs run plain")
+    if found.shortcoming:
+        _row("extra lines", f"no: {found.shortcoming}")
+        troubles.append(f"no extra lines: {found.shortcoming}; programs run plain")
+        return
+    modern = found.number >= MODERN
+    who = "the GPU (OpenGL 3.3)" if modern else "the CPU (OpenGL 2.1)"
+    _row("extra lines", f"yes, expanded by {who}")
+    if not modern:
+        _row("unavailable", UNAVAILABLE)
+        troubles.append(f"{UNAVAILABLE}, this is {found.version}; the other lines are drawn")
 
 
 def ask(environ: Mapping[str, str]) -> Probe:

@@ -25,6 +25,8 @@ class Probe:
     depth_bits: int
     profile_mask: int
     """0 below OpenGL 3.2; 1 core, 2 compatibility."""
+    shortcoming: str
+    """Why no lines can be drawn; empty when they can."""
 
     @property
     def number(self) -> tuple[int, int]:
@@ -44,6 +46,7 @@ def probe() -> Probe:
     """Open a hidden window and ask. Raises `OSError` where there is none to be had."""
     import glfw
 
+    from glshim.spec.context import shortcoming
     from glshim.spec.driver import gl
 
     glfw.ERROR_REPORTING = "ignore"
@@ -55,7 +58,7 @@ def probe() -> Probe:
         if not window:
             raise OSError("the display gives no OpenGL window")
         glfw.make_context_current(window)
-        found: dict[str, Any] = {}
+        found: dict[str, Any] = {"shortcoming": shortcoming()}
         for name, pname in _INTEGERS.items():
             value = ctypes.c_int()
             gl.glGetIntegerv(pname, ctypes.byref(value))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..caches import AgingCache
+from ..spec.context import restarts_primitives
 from ..spec.draws import DRAWS, Signature
 from ..spec.driver import current_context, gl
 from .batch import PolygonBatch
@@ -145,7 +146,7 @@ def _index_runs(
 def _indices(value: Any, type_: int, count: int) -> NDArray[np.int64]:
     if type_ not in _INDICES:
         raise Unfetchable(f"index type {type_:#x}")
-    if _is_enabled(0x8F9D) or _is_enabled(0x8D69):
+    if restarts_primitives():
         raise Unfetchable("primitive restart is on")
     dtype = np.dtype(_INDICES[type_])
     raw = _bytes(_integer(0x8895), _ELEMENT_BUFFER, _address(value), count * dtype.itemsize)

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry.camera import Camera
+from ..spec.context import shortcoming
 from ..spec.driver import current_context, gl, quick
 
 _FLOATS = ((0x0BA6, 16), (0x0BA7, 16), (0x0B70, 2))
@@ -206,16 +207,4 @@ def unsupported() -> str:
     """Why the current context cannot be styled, empty when it can. Costs a few queries."""
     if not current_context():
         return "no context is current"
-    version = gl.glGetString(0x1F02)
-    text = ctypes.string_at(version).decode("ascii", "replace") if version else ""
-    try:
-        major, minor = (int(part) for part in text.split()[0].split(".")[:2])
-    except (ValueError, IndexError):
-        return f"version {text!r} is not one of desktop OpenGL"
-    if (major, minor) < (3, 3):
-        return f"OpenGL {major}.{minor} is older than 3.3"
-    mask = ctypes.c_int(0)
-    gl.glGetIntegerv(0x9126, ctypes.byref(mask))
-    if mask.value & 1:
-        return "a core profile has no fixed-function pipeline to follow"
-    return ""
+    return shortcoming()

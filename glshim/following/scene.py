@@ -18,6 +18,7 @@ from ..capture.recorder import RECORDER
 from ..capture.state import DrawState, StateReader, unsupported
 from ..notices import say_once
 from ..spec.attributes import BY_NAME
+from ..spec.context import has_vertex_arrays
 from ..spec.driver import current_context, gl
 from ..spec.shapes import Shape
 
@@ -53,7 +54,10 @@ class Scene:
     @property
     def stale(self) -> bool:
         """Whether the current context is another one, at the address of the one that was."""
-        return bool(self._marker) and not gl.glIsVertexArray(self._marker)
+        if not self._marker:
+            return False
+        is_there = gl.glIsVertexArray if has_vertex_arrays() else gl.glIsFramebuffer
+        return not is_there(self._marker)
 
     # -- display lists ---------------------------------------------------------------------------
 
@@ -199,12 +203,23 @@ class Scenes:
 
 
 def _mark() -> int:
-    """A vertex array object, which contexts do not share, under a name that no app comes to."""
-    names, bound = (ctypes.c_uint * _MARKER)(), integer(0x85B5)
-    gl.glGenVertexArrays(_MARKER, names)
-    gl.glDeleteVertexArrays(_MARKER - 1, names)
-    gl.glBindVertexArray(names[_MARKER - 1])
-    gl.glBindVertexArray(bound)
+    """An object of a kind that contexts do not share, under a name that no app comes to: a vertex
+    array, or where there are none a framebuffer."""
+    arrays = has_vertex_arrays()
+    names = (ctypes.c_uint * _MARKER)()
+    if arrays:
+        bound = integer(0x85B5)
+        gl.glGenVertexArrays(_MARKER, names)
+        gl.glDeleteVertexArrays(_MARKER - 1, names)
+        gl.glBindVertexArray(names[_MARKER - 1])
+        gl.glBindVertexArray(bound)
+    else:
+        bounds = ((0x8CA9, integer(0x8CA6)), (0x8CA8, integer(0x8CAA)))
+        gl.glGenFramebuffers(_MARKER, names)
+        gl.glDeleteFramebuffers(_MARKER - 1, names)
+        gl.glBindFramebuffer(0x8D40, names[_MARKER - 1])
+        for target, name in bounds:
+            gl.glBindFramebuffer(target, name)
     return int(names[_MARKER - 1])
 
 

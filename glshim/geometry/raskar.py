@@ -34,6 +34,8 @@ INWARD = 0.5
 not smooth, and the whole pixel beside it has to be ink."""
 EDGE_ON = 0.02
 """Cosine to the line of sight below which a quad is left out: it cannot be seen."""
+JOINT = 0.02
+"""Pixels by which strokes of a chain overlap against rounding."""
 STEEPEST = 600.0
 """Pixels' worth of depth a pixel at which the slope of a plane is cut."""
 
@@ -54,7 +56,10 @@ class Strokes:
     slopes: Doubles
     """(L, 4) depth a pixel on the line's plane and, if it has one, on the other polygon's."""
     extent: Doubles
-    """(L, 2) pixels across, outwards (to the right of a to b), between which the ink lies."""
+    """(L, 3) pixels across, outwards (to the right of a to b), between which the ink lies; the kind
+    of line."""
+    repeats: Doubles
+    """(L, 2) of a pattern at a and at b, see `glshim.geometry.lines.RECORD`."""
     grain: Doubles
     """(L, 2) depth of a pixel on a plane at 45 degrees to the line of sight; and the depth by which
     a line may lie behind what is drawn and count as seen."""
@@ -126,8 +131,27 @@ def strokes(
         np.minimum(leaning, deep),
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
-        drawn, start, finish, onwards, slopes, np.c_[inwards, outwards], np.c_[deep, slack]
-    )
+        drawn, start, finish, onwards, slopes, np.c_[inwards, outwards, rows[:, 15]],
+        rows[:, 16:18], np.c_[deep, slack],
+    )  # fmt: skip
+
+
+def quads(strokes: Strokes) -> Doubles:
+    """(L, 4, 2) pixels of the framebuffer: strips around all that strokes may ink, a pixel beyond
+    it, round at the ends of what is not an outline."""
+    a, b = strokes.start[:, :2], strokes.finish[:, :2]
+    along = _unit(b - a)
+    outwards = np.c_[along[:, 1], -along[:, 0]]
+    corner = strokes.onwards.any(axis=1)
+    reach = strokes.extent[:, 1] + 1.0
+    flat = np.isin(strokes.extent[:, 2], (*OUTLINES, LONE_RIDGE, LONE_VALLEY))
+    behind = np.where(flat, 1.0, reach)
+    beyond = np.where(flat & ~corner, 1.0, reach)
+    sharp = corner & (_dot(along, strokes.onwards) < 0.0)
+    inner = np.where(sharp, -reach, strokes.extent[:, 0] - 1.0)
+    ends = (a - behind[:, None] * along, b + beyond[:, None] * along)
+    rims = [offset[:, None] * outwards for offset in (inner, reach)]
+    return np.stack([end + rim for end in ends for rim in rims], axis=1)
 
 
 def line_planes(
@@ -176,16 +200,17 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     a, b = strokes.start[row, :2], strokes.finish[row, :2]
     length = float(np.hypot(*(b - a)))
     along = (b - a) / length
-    inner, outer = strokes.extent[row]
+    inner, outer = strokes.extent[row, :2]
     t = (pixels - a) @ along
     s = (pixels - a) @ np.array((along[1], -along[0]))
     past = t - np.clip(t, 0.0, length)
+    past[np.abs(past) < JOINT] = 0.0
     rim = np.clip(outer + 0.5 - np.hypot(past, s), 0.0, 1.0)
     if inner == -outer:
         return np.asarray(rim)
     onwards = strokes.onwards[row]
     corner = (past > 0.0) & ((pixels - b) @ onwards < 0.0)
-    band = np.clip(outer + 0.5 - s, 0.0, 1.0) * np.clip(s - inner + 0.5, 0.0, 1.0)
+    band = rim * np.clip(s - inner + 0.5, 0.0, 1.0)
     return np.where(past == 0.0, band, np.where(corner, rim, 0.0))
 
 

@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-import ctypes
-import re
 from collections.abc import Iterable
 from itertools import groupby
-from typing import Any
 
 import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
 from glshim.geometry.lines import lay_pattern
+from glshim.notices import say_once
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
 from glshim.render.crossings import Crossings
 from glshim.render.depth import Box, DepthCopy
-from glshim.render.driver import gl, integer
-from glshim.render.guard import Guard, possible
+from glshim.render.driver import current_context, gl, integer
+from glshim.render.guard import Guard, drain, possible
 from glshim.render.harvest import Harvest
 from glshim.render.laying import Layer
+from glshim.render.legacy import LegacyPen
 from glshim.render.pen import Pen
 from glshim.render.textures import Textures
+from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.styling.protocol import Draw
 
 _OFF = (  # what would change or drop the ink: each is enabled by some app
@@ -48,9 +48,9 @@ _LAID_BITS = 24
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
-    def __init__(self, context: Any, cache_bytes: int, ring_bytes: int) -> None:
-        self.pen = Pen(context, ring_bytes)
-        self._crossings = Crossings(context, cache_bytes // 2)
+    def __init__(self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int) -> None:
+        self.pen = pen
+        self._crossings = crossings
         self._harvest = Harvest(cache_bytes)
         self._depth = DepthCopy()
         self._canvas = Canvas()
@@ -63,22 +63,25 @@ class Backend:
 
         cache_bytes bounds the memory of the edges of batches with a key; ring_bytes is the GPU
         memory through which lines stream (it grows when one draw needs more). Raises
-        `RenderError` when no context is current, or it is older than OpenGL 3.3.
+        `RenderError` when no context is current, or it is not one that lines can be drawn in.
         """
-        version = gl.glGetString(0x1F02)
-        if not version:
+        if not current_context() or not version_text():
             raise RenderError("no GL context is current: nothing can be drawn")
-        text = ctypes.string_at(version).decode("ascii", "replace")
-        number = re.search(r"(\d+)\.(\d+)", text)
-        if " ES " in text or not number or tuple(map(int, number.groups())) < (3, 3):
-            raise RenderError(f"lines need OpenGL 3.3 or newer; this context is {text}")
+        lacking = shortcoming()
+        if lacking:
+            raise RenderError(lacking)
         if not possible():
             raise RenderError("GL is compiling a list, selecting, or its attribute stack is full")
         with Guard():
             try:
-                return cls(moderngl.create_context(require=330), cache_bytes, ring_bytes)
+                if (version() or MODERN) < MODERN:
+                    return cls(LegacyPen(), None, cache_bytes)
+                context = moderngl.create_context(require=330)
+                crossings = Crossings(context, cache_bytes // 2)
+                return cls(Pen(context, ring_bytes), crossings, cache_bytes)
             except Exception as error:
-                raise RenderError(f"no drawing in this context ({text}): {error}") from error
+                text = f"no drawing in this context ({version_text()}): {error}"
+                raise RenderError(text) from error
 
     def render(self, draws: Iterable[Draw]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
@@ -88,7 +91,8 @@ class Backend:
         `RenderError` when a shader does not compile.
         """
         self._harvest.tick()
-        self._crossings.tick()
+        if self._crossings is not None:
+            self._crossings.tick()
         groups = grouped(draws)
         if not groups or not possible():
             return
@@ -101,6 +105,7 @@ class Backend:
             greater = integer(_DEPTH_FUNC) in (_GREATER, _GEQUAL)
             for capability in _OFF:
                 gl.glDisable(capability)
+            drain()  # what older versions do not know of these
             gl.glDepthMask(0)
             gl.glStencilMask(0)
             gl.glColorMask(1, 1, 1, 1)
@@ -126,7 +131,9 @@ class Backend:
         for group in groups:
             first = group[0]
             records = self._harvest.records(group)
-            if first.choice.intersections:
+            if first.choice.intersections and self._crossings is None:
+                say_once(f"{UNAVAILABLE}; the other lines are drawn")
+            elif first.choice.intersections and self._crossings:
                 found = self._crossings.find(group, greater=greater, bits=bits)
                 if first.choice.pattern is not None:
                     lay_pattern(found, first.camera, first.choice.pattern)

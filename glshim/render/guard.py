@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 from types import TracebackType
 
-from glshim.render.driver import gl
+from glshim.render.driver import gl, integer
+from glshim.spec.context import has_vertex_arrays
 
 _ALL = 0xFFFFFFFF
 _RENDER = 0x1C00
@@ -24,16 +25,8 @@ _SWITCHES = (
     0x884F,  # seamless cube maps, which moderngl turns on in a new context
     0x8F9D,  # primitive restart
 )
-"""What no attribute stack holds."""
-
-_KEPT = (
-    _PROGRAM,
-    _VERTEX_ARRAY,
-    _DRAW_FRAMEBUFFER,
-    _READ_FRAMEBUFFER,
-    _RENDERBUFFER,
-    _ACTIVE_TEXTURE,
-)
+"""What no attribute stack holds. Contexts before 3.0 need not know them."""
+_KEPT = (_PROGRAM, _DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER, _RENDERBUFFER, _ACTIVE_TEXTURE)
 
 
 def possible() -> bool:
@@ -53,20 +46,21 @@ class Guard:
 
     Costs a few microseconds: the attribute stacks hold nearly everything, and the rest is asked
     for and set again. An error the app has not fetched yet is put back.
+
+    The client's arrays are saved with no vertex array object bound: what is drawn inside may use
+    the arrays of the context itself, and the app's objects are not looked into.
     """
 
-    __slots__ = ("_error", "_kept", "_switches")
+    __slots__ = ("_array", "_error", "_kept", "_switches")
 
     def __enter__(self) -> Guard:
         self._error = gl.glGetError()
-        value = ctypes.c_int()
-        at = ctypes.addressof(value)
-        kept = []
-        for name in _KEPT:
-            gl.glGetIntegerv(name, at)
-            kept.append(value.value)
-        self._kept = kept
-        self._switches = [bool(gl.glIsEnabled(switch)) for switch in _SWITCHES]
+        self._kept = [integer(name) for name in _KEPT]
+        self._array = integer(_VERTEX_ARRAY) if has_vertex_arrays() else None
+        asked = ((switch, bool(gl.glIsEnabled(switch))) for switch in _SWITCHES)
+        self._switches = [known for known in asked if gl.glGetError() == _NO_ERROR]
+        if self._array:
+            gl.glBindVertexArray(0)
         gl.glPushAttrib(_ALL)
         gl.glPushClientAttrib(_ALL)
         return self
@@ -77,22 +71,30 @@ class Guard:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        program, array, draw, read, renderbuffer, texture = self._kept
+        program, draw, read, renderbuffer, texture = self._kept
         gl.glUseProgram(program)
-        gl.glBindVertexArray(array)
         gl.glBindFramebuffer(0x8CA9, draw)
         gl.glBindFramebuffer(0x8CA8, read)
         gl.glBindRenderbuffer(0x8D41, renderbuffer)
+        if self._array is not None:
+            gl.glBindVertexArray(0)
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         gl.glActiveTexture(texture)
-        for switch, on in zip(_SWITCHES, self._switches, strict=True):
+        if self._array:
+            gl.glBindVertexArray(self._array)
+        for switch, on in self._switches:
             (gl.glEnable if on else gl.glDisable)(switch)
-        for _ in range(16):  # a lost context reports errors for ever
-            if gl.glGetError() == _NO_ERROR:
-                break
+        drain()
         if self._error:
             _provoke(self._error)
+
+
+def drain() -> None:
+    """Forget the errors of our own so far."""
+    for _ in range(16):  # a lost context reports errors for ever
+        if gl.glGetError() == _NO_ERROR:
+            break
 
 
 def _provoke(error: int) -> None:

@@ -14,6 +14,7 @@ from glshim.render.cameras import MOST_CLIP_PLANES, scissor
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.programs import compiled
+from glshim.spec.context import has_vertex_arrays
 from glshim.styling.protocol import Draw
 
 _TRIANGLES, _FLOAT = 0x0004, 0x1406
@@ -51,7 +52,8 @@ class Layer:
         gl.glDepthFunc(0x0206 if greater else 0x0203)
         gl.glEnable(_SCISSOR_TEST)
         gl.glUseProgram(self._program)
-        gl.glBindVertexArray(0)
+        if has_vertex_arrays():
+            gl.glBindVertexArray(0)
         gl.glBindBuffer(_ARRAY_BUFFER, 0)
         gl.glEnableVertexAttribArray(0)
         for draw in draws:

@@ -24,6 +24,7 @@ SIGNATURES: dict[str, str] = {
     # queries
     "glGetFloatv": "up", "glGetIntegerv": "up", "glGetBooleanv": "up", "glGetDoublev": "up",
     "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
+    "glGetStringi": "uu>p",
     "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
     "glGetVertexAttribiv": "uup", "glGetMapiv": "uup", "glGetMapfv": "uup",
     # immediate mode
@@ -37,7 +38,8 @@ SIGNATURES: dict[str, str] = {
     "glClientActiveTexture": "u", "glDrawArrays": "uii", "glDrawElements": "uiup",
     "glEnableVertexAttribArray": "u", "glDisableVertexAttribArray": "u",
     "glBindBuffer": "uu", "glGenVertexArrays": "ip", "glBindVertexArray": "u",
-    "glDeleteVertexArrays": "ip",
+    "glDeleteVertexArrays": "ip", "glIsFramebuffer": "u>b",
+    "glGenFramebuffers": "ip", "glDeleteFramebuffers": "ip",
     # state
     "glEnable": "u", "glDisable": "u", "glUseProgram": "u", "glColorMask": "bbbb",
     "glPushAttrib": "u", "glPopAttrib": "", "glPushClientAttrib": "u", "glPopClientAttrib": "",

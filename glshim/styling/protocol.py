@@ -24,7 +24,7 @@ import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -205,6 +205,34 @@ class Layer:
     """The batches in the order of drawing, each with the camera that it was drawn with."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Expansion:
+    """Line records as the vertices of triangle strips, a strip a line that is drawn."""
+
+    places: NDArray[np.floating[Any]]
+    """(N, V, 2) pixels of the framebuffer."""
+    values: Mapping[str, NDArray[np.floating[Any]]]
+    """(N, 1..4) by the name of a ``PASSED`` float or vector: what the fragments of a line get,
+    the same in all of it."""
+
+
+class Expand(Protocol):
+    """What a shader's `vertex` does, in numpy. Pure, and a function of a module."""
+
+    def __call__(
+        self,
+        records: NDArray[np.float32],
+        camera: Camera,
+        uniforms: Mapping[str, Uniform],
+        *,
+        hair: float,
+        blur: float,
+    ) -> Expansion:
+        """Strips of records (L, 18), see `glshim.geometry.lines.RECORD`. The camera's depth range
+        is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by which
+        depths may not be those of pixel centres."""
+
+
 @dataclass(frozen=True, slots=True)
 class Shader:
     """GLSL texts (no ``#version`` line) that turn one line record into one triangle strip.
@@ -220,6 +248,9 @@ class Shader:
     fragment: str
     vertices: int
     """Vertices of the strip of one edge."""
+    expand: Expand | None = None
+    """`vertex` for OpenGL before 3.3, which has the `fragment` alone, as GLSL 1.20. None: there the
+    shader draws nothing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,6 +17,7 @@ from glshim.geometry.lines import Choice
 from glshim.geometry.raskar import INWARD
 from glshim.styling.protocol import Colour, Draw, Image, Layer, Shader, Styler, Uniform, option
 from stylers.raskar import textures
+from stylers.raskar.expansion import expand
 
 _HERE = files(__package__)
 _STROKE = (_HERE / "stroke.glsl").read_text("utf-8")
@@ -25,6 +26,7 @@ SHADER = Shader(
     _STROKE + (_HERE / "raskar.vert.glsl").read_text("utf-8"),
     _STROKE + (_HERE / "raskar.frag.glsl").read_text("utf-8"),
     vertices=4,
+    expand=expand,
 )
 
 

@@ -12,7 +12,7 @@ from OpenGL.arrays import vbo
 from .registry import each, scene
 from .scenes_immediate import MODES, shade, spiral
 from .scenes_state import mesh
-from .world import App
+from .world import App, restart_at
 
 COMPILE = {"compile": GL.GL_COMPILE, "execute": GL.GL_COMPILE_AND_EXECUTE}
 
@@ -272,8 +272,7 @@ def element_buffer_and_mapped_buffer(app: App) -> None:
     GL.glMapBuffer(GL.GL_ARRAY_BUFFER, GL.GL_WRITE_ONLY)
     app.tries(GL.glDrawArrays, GL.GL_QUADS, 0, 40)
     GL.glUnmapBuffer(GL.GL_ARRAY_BUFFER)
-    GL.glEnable(GL.GL_PRIMITIVE_RESTART)
-    GL.glPrimitiveRestartIndex(7)
+    restart_at(7)
     app.tries(GL.glDrawElements, GL.GL_QUADS, 40, GL.GL_UNSIGNED_SHORT, ctypes.c_void_p(0))
     app.tries(GL.glMultiDrawElements, GL.GL_TRIANGLES, np.array([3, 6], "i4"),
               GL.GL_UNSIGNED_SHORT, (ctypes.c_void_p * 2)(6, 20), 2)  # fmt: skip

@@ -10,7 +10,7 @@ from OpenGL import GL, GLU
 
 from .registry import each, scene
 from .scenes_immediate import MODES, shade, spiral
-from .world import App
+from .world import App, restart_at
 
 
 def mesh(count: int, colours: bool = True) -> None:
@@ -202,10 +202,10 @@ def _texture_matrix() -> None:
 def _smooth() -> None:
     for name in (GL.GL_LINE_SMOOTH, GL.GL_POINT_SMOOTH, GL.GL_POLYGON_SMOOTH, GL.GL_DITHER,
                  GL.GL_NORMALIZE, GL.GL_COLOR_SUM, GL.GL_MULTISAMPLE,
-                 GL.GL_TEXTURE_CUBE_MAP_SEAMLESS, GL.GL_PRIMITIVE_RESTART,
-                 GL.GL_PROGRAM_POINT_SIZE, GL.GL_DEPTH_CLAMP):  # fmt: skip
+                 GL.GL_TEXTURE_CUBE_MAP_SEAMLESS, GL.GL_PROGRAM_POINT_SIZE,
+                 GL.GL_DEPTH_CLAMP):  # fmt: skip
         GL.glEnable(name)
-    GL.glPrimitiveRestartIndex(2)
+    restart_at(2)
 
 
 SETTINGS: dict[str, Callable[[], None]] = {

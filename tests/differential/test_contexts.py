@@ -187,19 +187,21 @@ with styled(STYLE or None), window(**HINTS):
     app.tries(GL.glGetString, GL.GL_VERSION)
     picture = np.frombuffer(GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE),
                             np.uint8)
-    print(app.saw, picture.tolist()[::7], GL.glGetError())
+    print(app.saw)
+    print(picture.tolist()[::7], GL.glGetError())
 """
 
 
 @pytest.mark.parametrize(
     ("hints", "environment"),
     [
-        ("dict()", {"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_EXTENSION_OVERRIDE": ""}),
+        ("dict()", {"MESA_GL_VERSION_OVERRIDE": "2.1",
+                    "MESA_EXTENSION_OVERRIDE": "-GL_ARB_framebuffer_object"}),
         ("dict()", {"MESA_GL_VERSION_OVERRIDE": "1.4"}),
         ("dict(CONTEXT_VERSION_MAJOR=3, CONTEXT_VERSION_MINOR=3, "
          "OPENGL_PROFILE=glfw.OPENGL_CORE_PROFILE)", {}),
     ],
-    ids=["2.1", "1.4", "core"],
+    ids=["2.1 without framebuffer objects", "1.4", "core"],
 )  # fmt: skip
 def test_old_and_core_contexts_are_left_alone(hints: str, environment: dict[str, str]) -> None:
     text = OLD.replace("HINTS", hints)
@@ -208,3 +210,11 @@ def test_old_and_core_contexts_are_left_alone(hints: str, environment: dict[str,
     assert plain == _program(text, VISIBLE, **environment)
 
 
+def test_a_2_1_context_gets_lines_and_the_program_sees_nothing_of_them() -> None:
+    text = OLD.replace("HINTS", "dict()").replace("    for", "    prepare()\n    for")
+    plain, none, lines = (
+        _program(text, style, MESA_GL_VERSION_OVERRIDE="2.1").splitlines()
+        for style in ("", "none", VISIBLE)
+    )
+    assert plain == none
+    assert plain[0] == lines[0] and plain[1] != lines[1]

@@ -156,6 +156,13 @@ def prepare() -> None:
     GL.glEnd()
 
 
+def restart_at(index: int) -> None:
+    """Primitives begin anew at an index, where this version (3.1) knows such a thing."""
+    if GL.glGetString(GL.GL_VERSION)[:3] >= b"3.1":
+        GL.glEnable(GL.GL_PRIMITIVE_RESTART)
+        GL.glPrimitiveRestartIndex(index)
+
+
 def observe(app: App) -> Outcome:
     """What there is to see at the end of a scene, errors fetched by the app's own means."""
     for _ in range(4):

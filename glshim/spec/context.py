@@ -1,0 +1,95 @@
+"""The version of the current context, and what older ones may lack. Asked without GL errors."""
+
+from __future__ import annotations
+
+import ctypes
+import re
+from functools import cache
+
+from .driver import gl
+
+Version = tuple[int, int]
+
+MODERN: Version = (3, 3)
+"""From here on the GPU expands line records to strokes."""
+OLDEST: Version = (2, 1)
+"""From here on the CPU does: fragments still need GLSL 1.20."""
+UNAVAILABLE = "intersections need OpenGL {}.{}".format(*MODERN)
+"""What older contexts go without, in words."""
+_FRAMEBUFFERS, _VERTEX_ARRAYS = "GL_ARB_framebuffer_object", "GL_ARB_vertex_array_object"
+_RESTARTS = ((0x8F9D, (3, 1)), (0x8D69, (4, 3)))
+_VERSION, _EXTENSIONS, _UNITS = 0x1F02, 0x1F03, 0x8B4D
+_PROFILE_MASK, _EXTENSION_COUNT = 0x9126, 0x821D
+_UNITS_NEEDED = 16
+
+
+def version_text() -> str:
+    """What the driver says, empty without a context."""
+    return _text(_VERSION)
+
+
+def version() -> Version | None:
+    """Of desktop OpenGL; None for anything else."""
+    return _number(version_text())
+
+
+@cache
+def _number(text: str) -> Version | None:
+    found = re.match(r"(\d+)\.(\d+)", text)
+    return (int(found[1]), int(found[2])) if found else None
+
+
+def restarts_primitives() -> bool:
+    """Whether some index ends a primitive in the draws of now. Asks what this version knows."""
+    number = version() or OLDEST
+    return any(number >= since and gl.glIsEnabled(switch) for switch, since in _RESTARTS)
+
+
+def has_vertex_arrays() -> bool:
+    """Whether there are vertex array objects: since 3.0, and where 2.1 has been extended."""
+    return _has((3, 0), _VERTEX_ARRAYS)
+
+
+def shortcoming() -> str:
+    """Why no lines can be drawn in the current context, whoever expands them; empty if they can."""
+    number = version()
+    if number is None:
+        return f"version {version_text()!r} is not one of desktop OpenGL"
+    if number < OLDEST:
+        return "OpenGL {}.{} is older than {}.{}".format(*number, *OLDEST)
+    if not _has((3, 0), _FRAMEBUFFERS):
+        return "OpenGL {}.{} without {}".format(*number, _FRAMEBUFFERS)
+    if not _has_fixed_function(number):
+        return "a core profile has no fixed-function pipeline to follow"
+    units = _integer(_UNITS)
+    if units < _UNITS_NEEDED:
+        return f"{units} texture units are fewer than the {_UNITS_NEEDED} that lines need"
+    return ""
+
+
+def _has_fixed_function(number: Version) -> bool:
+    """3.1 says so in an extension, later versions have profiles."""
+    if number < (3, 1):
+        return True
+    if number > (3, 1):
+        return not _integer(_PROFILE_MASK) & 1
+    names = (gl.glGetStringi(_EXTENSIONS, i) for i in range(_integer(_EXTENSION_COUNT)))
+    return any(ctypes.string_at(name) == b"GL_ARB_compatibility" for name in names)
+
+
+def _has(since: Version, extension: str) -> bool:
+    number = version()
+    if number is None:
+        return False
+    return number >= since or extension in _text(_EXTENSIONS).split()
+
+
+def _integer(name: int) -> int:
+    value = ctypes.c_int(0)
+    gl.glGetIntegerv(name, ctypes.byref(value))
+    return value.value
+
+
+def _text(name: int) -> str:
+    found = gl.glGetString(name)
+    return ctypes.string_at(found).decode("ascii", "replace") if found else ""

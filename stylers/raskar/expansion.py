@@ -1,0 +1,56 @@
+"""``raskar.vert.glsl`` on the CPU, for OpenGL before 3.3."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry import raskar
+from glshim.geometry.camera import Camera
+from glshim.styling.protocol import Expansion, Uniform
+
+
+def expand(
+    records: NDArray[np.float32],
+    camera: Camera,
+    uniforms: Mapping[str, Uniform],
+    *,
+    hair: float,
+    blur: float,
+) -> Expansion:
+    """The strips of `SHADER`, from the numpy reference."""
+    silhouette, ridge, valley, intersection = _numbers(uniforms["widths"])
+    ridge_turn, valley_turn = (_numbers(uniforms[name]) for name in ("ridge_turn", "valley_turn"))
+    # Lines that are not drawn may divide by nothing.
+    with np.errstate(all="ignore"):
+        strokes = raskar.strokes(
+            records,
+            camera,
+            silhouette_width=silhouette,
+            ridge_width=ridge,
+            valley_width=valley,
+            intersection_width=intersection,
+            ridge_angle=float(np.arctan2(ridge_turn[1], ridge_turn[0])),
+            valley_angle=float(np.arctan2(valley_turn[1], valley_turn[0])),
+            hair=hair,
+            blur=blur,
+        )
+        places = raskar.quads(strokes)
+    drawn = strokes.drawn
+    values = {
+        "line_a": strokes.start,
+        "line_b": strokes.finish,
+        "onwards": strokes.onwards,
+        "slopes": strokes.slopes,
+        "extent": strokes.extent,
+        "repeats": strokes.repeats,
+        "grain": strokes.grain,
+    }
+    return Expansion(places[drawn], {name: rows[drawn] for name, rows in values.items()})
+
+
+def _numbers(value: Uniform) -> tuple[float, ...]:
+    return cast(tuple[float, ...], value)
