@@ -8,7 +8,7 @@ uniform sampler2D stroke;     // premultiplied; repeats along, from the inside (
 uniform vec3 stroke_ink;      // multiplies it
 
 const float JOINT = 0.02;     // pixels by which strokes of a chain overlap against rounding
-const float LEAN = 1.0;       // pixels' worth of depth by which a line comes nearer in each pixel
+const float LEAN = 1.5;       // pixels' worth of depth by which a line comes nearer in each pixel
 const float STEEPEST = 10.0;  // the same over the walls of a valley
 
 // Share of a pixel off the line by s outwards, by past beyond its ends, that the stroke covers.
@@ -47,7 +47,7 @@ void main() {
     if (off > 0.75) {  // nearer, the line itself decides
         vec3 place = point(on);
         vec2 aside = gl_FragCoord.xy - place.xy;
-        float nearest = place.z + min(surface(aside), level(aside)) - grain.y;
+        float nearest = place.z + min(surface(aside), 0.0) - grain.y;
         nearest -= (kind == LONE_VALLEY || kind == VALLEY ? STEEPEST : LEAN) * grain.x * off;
         if (kind == RING) nearest = min(nearest, place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair);
         if (finished(gl_FragCoord.xy) < nearest) discard;
