@@ -26,6 +26,11 @@ _CELLS = ((1 << 21, 0.5), (1 << 19, 0.87), (1 << 18, 0.23), (1 << 17, 0.61), (1 
 the cells, for each round of looking."""
 
 
+_SLIVER = 0.15
+"""Part of a polygon's area below which a triangle of it is none of its own."""
+_BENT = 2e-3
+"""Height of a corner over its polygon's plane, as a part of the polygon's size, that bends it."""
+
 _SPREAD = np.int64(-0x61C8864680B583EB)
 """An odd number that spreads keys over 64 bits."""
 
@@ -160,23 +165,14 @@ def _edges(
     batch: PolygonBatch, objects: NDArray[np.int32] | None
 ) -> tuple[Edges, NDArray[np.int32]]:
     """The edges, of objects (one number a polygon) kept apart, and each plane's object."""
-    sizes = np.diff(batch.starts)
-    kinds = np.unique(sizes)
     parts: list[tuple[Floats, NDArray[np.int32], Doubles]] = []
     owners: list[NDArray[np.int32]] = []
     done = 0
-    for size in kinds[kinds >= 3].tolist():
-        if len(kinds) == 1:
-            at = batch.corners.reshape(-1, size)
-            flags = batch.boundary.reshape(-1, size)
-        else:
-            first = batch.starts[:-1][sizes == size]
-            index = first[:, None] + np.arange(size, dtype=np.int32)
-            at, flags = batch.corners[index], batch.boundary[index]
+    for at, flags, numbers in _by_size(batch):
         part = _same_size(batch.positions[at], flags)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
         if objects is not None:
-            owners.append(objects[np.flatnonzero(sizes == size)[part[3]]])
+            owners.append(objects[numbers[part[3]]])
         done += len(part[2])
     if not parts:
         parts.append((np.empty((0, 6), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
@@ -186,6 +182,60 @@ def _edges(
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
     met = neighbours(sides, owner[polygon] if len(owner) else None)
     return Edges(sides, polygon, planes, *met), owner
+
+
+_Group = tuple[NDArray[np.int32], Flags, Indices]
+"""Polygons with equally many corners: (P, n) indices into positions, (P, n) true sides, (P,) their
+numbers in the batch."""
+
+
+def _by_size(batch: PolygonBatch) -> list[_Group]:
+    """The polygons of a batch that have three corners and more; bent ones as the triangles that
+    drivers draw them in."""
+    sizes = np.diff(batch.starts)
+    kinds = np.unique(sizes)
+    groups: list[_Group] = []
+    for size in kinds[kinds >= 3].tolist():
+        if len(kinds) == 1:
+            at, flags = batch.corners.reshape(-1, size), batch.boundary.reshape(-1, size)
+            polygon = np.arange(len(at), dtype=np.intp)
+        else:
+            polygon = np.flatnonzero(sizes == size)
+            index = batch.starts[:-1][polygon][:, None] + np.arange(size, dtype=np.int32)
+            at, flags = batch.corners[index], batch.boundary[index]
+        bent = _bent(batch.positions[at]) if size > 3 else np.zeros(0, np.bool_)
+        if bent.any():
+            groups.append(_fans(at[bent], flags[bent], polygon[bent]))
+            at, flags, polygon = at[~bent], flags[~bent], polygon[~bent]
+        groups.append((at, flags, polygon))
+    return groups
+
+
+def _bent(points: Floats) -> Flags:
+    """(P,) whether the corners of polygons (P, n, 3) lie in no plane: outlines run along the
+    diagonals at which a driver bends them. Not where a cut would leave a sliver without a normal
+    of its own."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        spokes = points[:, 1:].astype(np.float64) - points[:, :1]
+        cuts = [_cross(spokes[:, k], spokes[:, k + 1]) for k in range(spokes.shape[1] - 1)]
+        normal = np.sum(cuts, axis=0)
+        least = np.min([np.abs(cut).max(axis=1) for cut in cuts], axis=0)
+        height = np.abs(np.einsum("pni,pi->pn", spokes, normal)).max(axis=1)
+        reach = np.abs(spokes).max(axis=(1, 2))
+        size = np.abs(normal).max(axis=1)
+        return np.asarray((height > _BENT * reach * size) & (least > _SLIVER * size))
+
+
+def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices) -> _Group:
+    """Polygons (P, n) as fans of triangles about their first corner; the cuts are true sides."""
+    count, size = at.shape
+    fans = size - 2
+    steps = np.arange(fans)
+    corners = np.stack((np.zeros(fans, np.intp), steps + 1, steps + 2), axis=1)
+    sides = np.ones((count, fans, 3), np.bool_)
+    sides[:, 0, 0], sides[:, -1, 2] = flags[:, 0], flags[:, -1]
+    sides[:, :, 1] = flags[:, 1:-1]
+    return at[:, corners].reshape(-1, 3), sides.reshape(-1, 3), np.repeat(polygon, fans)
 
 
 def neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:

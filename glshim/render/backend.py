@@ -149,4 +149,5 @@ class Backend:
                 away=away, hair=hair_of(bits),
             )  # fmt: skip
         stencil(groups[0][0].camera)
-        self._canvas.put_over(window, box)
+        tidy = all(group[0].image is None for group in groups)
+        self._canvas.put_over(window, box, tidy=tidy)

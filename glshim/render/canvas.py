@@ -30,7 +30,10 @@ class Canvas:
         shaders = files(__package__) / "shaders"
         texts = (shaders / name for name in ("over.vert.glsl", "over.frag.glsl"))
         self._over = compiled("over", *(text.read_text("utf-8") for text in texts))
-        self._ink = gl.glGetUniformLocation(self._over, b"ink")
+        self._at = {
+            name: int(gl.glGetUniformLocation(self._over, name.encode()))
+            for name in ("ink", "box", "size", "tidy")
+        }
         self._size = (0, 0)
         self._framebuffer, self._texture = _name("glGenFramebuffers"), _name("glGenTextures")
 
@@ -50,9 +53,9 @@ class Canvas:
         gl.glEnable(_BLEND)
         gl.glBlendEquation(_MAX)
 
-    def put_over(self, framebuffer: int, box: Box) -> None:
-        """Lay the ink in a box over a framebuffer, and leave that bound. The app's stencil test, if
-        it is on, holds."""
+    def put_over(self, framebuffer: int, box: Box, *, tidy: bool) -> None:
+        """Lay the ink in a box over a framebuffer, and leave that bound. tidy: without lonely
+        specks. The app's stencil test, if it is on, holds."""
         gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
         gl.glEnable(_SCISSOR_TEST)
         gl.glScissor(*box)
@@ -64,7 +67,11 @@ class Canvas:
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
         gl.glBindTexture(_TEXTURE_2D, self._texture)
         gl.glUseProgram(self._over)
-        gl.glUniform1i(self._ink, _UNIT)
+        x, y, width, height = box
+        gl.glUniform1i(self._at["ink"], _UNIT)
+        gl.glUniform4f(self._at["box"], x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)
+        gl.glUniform2f(self._at["size"], *map(float, self._size))
+        gl.glUniform1f(self._at["tidy"], float(tidy))
         # One triangle over everything, in calls that every version has.
         gl.glBegin(0x0004)
         for corner in ((-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)):

@@ -127,13 +127,27 @@ def test_a_seam_computed_twice_is_found_again():
     assert len(found.singles) <= 0.01 * len(found)
 
 
-def test_concave_and_warped_polygons_have_newells_normal():
+def test_concave_polygons_have_newells_normal():
     star = [(np.cos(a) * r, np.sin(a) * r, 0.0)
             for a, r in zip(np.arange(10) * np.pi / 5, [1, 0.3] * 5, strict=True)]  # fmt: skip
     found = edges(look.batch(star, [list(range(10))]))
     assert np.allclose(found.planes[0], (0, 0, 1, 0), atol=1e-6)
-    warped = look.batch([(0, 0, 0.1), (1, 0, -0.1), (1, 1, 0.1), (0, 1, -0.1)], [[0, 1, 2, 3]])
-    assert np.allclose(edges(warped).planes[0, :3], (0, 0, 1), atol=1e-6)
+
+
+def test_bent_polygons_are_the_triangles_that_are_drawn():
+    corners = [(0, 0, 0.1), (1, 0, -0.1), (1, 1, 0.1), (0, 1, -0.1)]
+    found = edges(look.batch(corners, [[0, 1, 2, 3]]))
+    assert len(found.planes) == 2 and len(found.sides) == 6
+    assert len(found.pairs[0]) == 1 and len(found.singles) == 4
+    diagonal = found.sides[found.pairs[0][0]].reshape(2, 3)
+    assert sorted(np.round(diagonal[:, 0])) == [0, 1] and np.allclose(diagonal[:, 2], 0.1)
+    flat = edges(look.batch(np.array(corners) * (1, 1, 1e-3), [[0, 1, 2, 3]]))
+    assert len(flat.planes) == 1
+    five = [(np.cos(a), np.sin(a), 0.2 * (k % 2)) for k, a in enumerate(np.arange(5) * 1.2566)]
+    hidden = look.batch(five, [[0, 1, 2, 3, 4]])
+    hidden.boundary[:] = (True, False, True, True, False)
+    found = edges(hidden)
+    assert len(found.planes) == 3 and len(found.pairs[0]) == 2 and len(found.singles) == 3
 
 
 def test_joined_batches_are_one_object():
