@@ -28,7 +28,9 @@ float ring(float distance) {
 
 bool lonely() {
     float beside = ring(1.0);
-    return beside == 0.0 || beside < 3.5 && ring(3.0) == 0.0 && beside + ring(2.0) < 5.0;
+    if (beside > 3.5) return false;
+    float around = ring(2.0);
+    return around == 0.0 || beside == 0.0 || beside + around < 5.0 && ring(3.0) == 0.0;
 }
 
 void main() {
