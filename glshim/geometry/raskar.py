@@ -210,7 +210,7 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
         return np.asarray(rim)
     onwards = strokes.onwards[row]
     corner = (past > 0.0) & ((pixels - b) @ onwards < 0.0)
-    band = rim * np.clip(s - inner + 0.5, 0.0, 1.0)
+    band = np.clip(outer + 0.5 - s, 0.0, 1.0) * np.clip(s - inner + 0.5, 0.0, 1.0)
     return np.where(past == 0.0, band, np.where(corner, rim, 0.0))
 
 

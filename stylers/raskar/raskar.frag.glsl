@@ -8,7 +8,7 @@ uniform sampler2D stroke;     // premultiplied; repeats along, from the inside (
 uniform vec3 stroke_ink;      // multiplies it
 
 const float JOINT = 0.02;     // pixels by which strokes of a chain overlap against rounding
-const float LEAN = 1.0;       // pixels' worth of depth by which a line comes nearer in each pixel
+const float LEAN = 1.5;       // pixels' worth of depth by which a line comes nearer in each pixel
 const float STEEPEST = 10.0;  // the same over the walls of a valley
 
 // Share of a pixel off the line by s outwards, by past beyond its ends, that the stroke covers.
@@ -16,7 +16,7 @@ float covered(float s, float past, vec2 from_b) {
     if (abs(past) < JOINT) past = 0.0;
     float rim = clamp(extent.y + 0.5 - length(vec2(past, s)), 0.0, 1.0);
     if (extent.x == -extent.y) return rim;
-    if (past == 0.0) return rim * clamp(s - extent.x + 0.5, 0.0, 1.0);
+    if (past == 0.0) return clamp(extent.y + 0.5 - s, 0.0, 1.0) * clamp(s - extent.x + 0.5, 0.0, 1.0);
     return past > 0.0 && dot(from_b, onwards) < 0.0 ? rim : 0.0;
 }
 
@@ -47,7 +47,7 @@ void main() {
     if (off > 0.75) {  // nearer, the line itself decides
         vec3 place = point(on);
         vec2 aside = gl_FragCoord.xy - place.xy;
-        float nearest = place.z + min(surface(aside), level(aside)) - grain.y;
+        float nearest = place.z + min(surface(aside), 0.0) - grain.y;
         nearest -= (kind == LONE_VALLEY || kind == VALLEY ? STEEPEST : LEAN) * grain.x * off;
         if (kind == RING) nearest = min(nearest, place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair);
         if (finished(gl_FragCoord.xy) < nearest) discard;

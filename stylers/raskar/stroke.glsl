@@ -58,19 +58,19 @@ int shown_beside(vec3 place, vec2 outwards) {
     return before <= 0.0 ? 2 : before < 3.0 * grain.x ? 1 : 0;
 }
 
-// What is drawn beside a place, carried on to the side over three pixels: its depth over the side's.
-// Whether the three lie on one surface at all. margin: what counts as on the side.
+// What is drawn beside a place, carried on to it over a square of four pixels: its depth over the
+// side's. Whether the four lie in one plane at all. near: depth of the first pixel, over the side's.
+// margin: what counts as on the side.
 bool carried_on(vec3 place, out float near, out float gap, out float margin) {
-    vec2 one = beyond(place.xy, out_1) - place.xy;
-    vec2 two = beyond(place.xy + 1.5 * out_1, out_1) - place.xy;
-    vec2 three = beyond(place.xy + 3.0 * out_1, out_1) - place.xy;
-    near = finished(place.xy + one) - level(one) - place.z;
-    float middle = finished(place.xy + two) - level(two) - place.z;
-    float far = finished(place.xy + three) - level(three) - place.z;
-    float slope = (far - near) / dot(three - one, out_1);
-    gap = near - slope * dot(one, out_1);
-    margin = (MEETING + blur) * max(grain.x, abs(slope)) + hair;
-    return abs(gap + slope * dot(two, out_1) - middle) < 2.0 * margin;
+    vec2 one = beyond(place.xy, out_1), off = place.xy - one;
+    vec2 right = vec2(out_1.x < 0.0 ? -1.0 : 1.0, 0.0), up = vec2(0.0, out_1.y < 0.0 ? -1.0 : 1.0);
+    float depth = finished(one);
+    float along_x = finished(one + right) - depth, along_y = finished(one + up) - depth;
+    vec2 slope = along_x * right + along_y * up;
+    near = depth - place.z - level(-off);
+    gap = depth - place.z + dot(slope, off);
+    margin = (MEETING + blur) * max(grain.x, length(slope)) + hair;
+    return abs(finished(one + right + up) - depth - along_x - along_y) < margin;
 }
 
 // A contour over a surface that rises towards the viewer from behind it: a wall, or the floor that
