@@ -43,6 +43,9 @@ _SHARP = np.radians(150.0)
 _ANGLE_GRAIN = 1e-3
 """Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
 
+_CROWD = 12
+"""Most polygons on an edge whose folds are all looked at; of more, depth decides."""
+
 ASKEW = np.array((0.571, 0.733, 0.369))
 """A direction that no app has in mind."""
 
@@ -253,12 +256,35 @@ def _together(edges: Edges, seen: _Seen, choice: Choice) -> _Found:
         if choice.silhouettes:
             none_behind = (np.bincount(edge, ~seen.front[sides]) == 0)[edge]
             found.append((CONTOUR, sides[contour & (~seen.front[sides] | none_behind)], None))
-        inner = sides[~contour & seen.front[sides]]
+        inner = ~contour & seen.front[sides]
+        least, most = _crowded_folds(edges, seen, sides, edge)
         if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
-            found.append((LONE_RIDGE, inner, None))
+            sharp = least[edge] <= choice.ridge_angle + _ANGLE_GRAIN
+            found.append((LONE_RIDGE, sides[inner & sharp], None))
         if choice.valley_angle is not None:
-            found.append((LONE_VALLEY, inner, None))
+            deep = most[edge] > choice.valley_angle + _ANGLE_GRAIN
+            found.append((LONE_VALLEY, sides[inner & deep], None))
     return found
+
+
+def _crowded_folds(
+    edges: Edges, seen: _Seen, sides: Indices, edge: Indices
+) -> tuple[Doubles, Doubles]:
+    """The least and the greatest fold between any two polygons of each edge with many, one on
+    either side of it in the window. Polygons sent twice fold with none of their own."""
+    counts = np.bincount(edge)
+    least, most = np.full(len(counts), np.inf), np.full(len(counts), -np.inf)
+    for step in range(1, min(int(counts.max()), _CROWD)):
+        at = np.flatnonzero(edge[step:] == edge[:-step])
+        first, second = sides[at], sides[at + step]
+        across = seen.left[first] != seen.left[second]
+        at, first, second = at[across], first[across], second[across]
+        folds = seen.folds(first, second, edges.fold(first, second))
+        np.minimum.at(least, edge[at], folds)
+        np.maximum.at(most, edge[at], folds)
+    large = counts > _CROWD
+    least[large], most[large] = -np.inf, np.inf
+    return least, most
 
 
 def _seams(lone: list[Edges]) -> Edges:

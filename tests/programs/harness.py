@@ -17,6 +17,7 @@ from .catalog import HERE, Program
 from .sources import Launch, cache_folder, launch
 
 PLAIN = None  # no style: glshim is not there at all
+ROOT = HERE.parent.parent  # of the glshim that these tests are about, wherever another is installed
 Picture = NDArray[np.uint8]
 
 
@@ -72,7 +73,7 @@ def environment(style: str | None, display: str, start: Launch,
         "PYTHONHASHSEED": "0",
         "PYTHONFAULTHANDLER": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONPATH": os.pathsep.join(map(str, start.paths)),
+        "PYTHONPATH": os.pathsep.join(map(str, (ROOT, *start.paths))),
         "LD_LIBRARY_PATH": os.pathsep.join(map(str, start.libraries)),
         "HOME": str(home),
         "QT_QPA_PLATFORM": "xcb",

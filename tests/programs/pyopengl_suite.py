@@ -14,6 +14,7 @@ from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
 
+from .harness import ROOT
 from .screen import NoScreen, virtual_screen
 from .sources import SourceMissing, unpacked
 
@@ -41,8 +42,8 @@ def shimmed() -> bool:
 def outcomes(module: str, style: str | None, display: str, limit: float = 120.0) -> Outcomes:
     """Run one module under a style, None for plain."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
-    kept |= {"DISPLAY": display, "PYTHONPATH": str(unpacked("psutil")), "SDL_AUDIODRIVER": "dummy",
-             "PYTHONDONTWRITEBYTECODE": "1"}
+    kept |= {"DISPLAY": display, "SDL_AUDIODRIVER": "dummy", "PYTHONDONTWRITEBYTECODE": "1",
+             "PYTHONPATH": os.pathsep.join(map(str, (ROOT, unpacked("psutil"))))}
     if style is not None:
         kept["GLSHIM_STYLE"] = style
     with tempfile.TemporaryDirectory() as scratch:

@@ -406,3 +406,18 @@ def test_without_connectivity_every_side_stands_alone():
     found = choose(edges(look.cube()), camera(), choice)
     assert (found[:, 15] == FIN).sum() == 24
     assert (found[:, 15] == LONE_RIDGE).sum() == (found[:, 15] == LONE_VALLEY).sum() == 12
+
+
+def test_polygons_sent_twice_make_no_crease():
+    """A strip whose end overlaps its beginning (GLUT's gears): a seam of three, all in a plane."""
+    points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 0), (2, 1, 0),
+              (1, 1, 1), (1, 0, 1)]  # fmt: skip
+    flat = [[0, 1, 4, 3], [1, 2, 5, 4], [1, 2, 5, 4]]
+    choice = Choice(False, np.radians(120.0), np.radians(240.0))
+    seen = camera(look.look_at((1, 0.5, 5)))
+    found = choose(edges(look.batch(points, flat)), seen, choice)
+    ends = found[:, 0:6].reshape(-1, 2, 3) @ np.linalg.inv(seen.modelview)[:3, :3].T
+    ends += np.linalg.inv(seen.modelview)[:3, 3]
+    assert not np.isclose(ends[:, :, 0], 1.0, atol=1e-5).all(axis=1).any()
+    wall = choose(edges(look.batch(points, [*flat, [4, 6, 7, 1]])), seen, choice)
+    assert (wall[:, 15] == LONE_VALLEY).sum() > (found[:, 15] == LONE_VALLEY).sum()
