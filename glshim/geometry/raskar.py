@@ -120,8 +120,7 @@ def strokes(
 
     widths = np.array([*[silhouette_width] * len(OUTLINES), ridge_width, ridge_width,
                        valley_width, valley_width, intersection_width])[kind]  # fmt: skip
-    outwards = np.where(outline, widths - INWARD, widths / 2.0)
-    inwards = np.where(outline | lone, -INWARD, -widths / 2.0)
+    inwards = np.where(outline, INWARD, widths / 2.0)
     steep = np.where(lone, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])), deep)
     length = np.hypot(*(finish - start)[:, :2].T)
     leaning = np.abs(finish[:, 2] - start[:, 2]) / np.maximum(length, 1e-30)
@@ -131,7 +130,7 @@ def strokes(
         np.minimum(leaning, deep),
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
-        drawn, start, finish, onwards, slopes, np.c_[inwards, outwards, rows[:, 15]],
+        drawn, start, finish, onwards, slopes, np.c_[-inwards, widths - inwards, rows[:, 15]],
         rows[:, 16:18], np.c_[deep, slack],
     )  # fmt: skip
 
@@ -144,7 +143,7 @@ def quads(strokes: Strokes) -> Doubles:
     outwards = np.c_[along[:, 1], -along[:, 0]]
     corner = strokes.onwards.any(axis=1)
     reach = strokes.extent[:, 1] + 1.0
-    flat = np.isin(strokes.extent[:, 2], (*OUTLINES, LONE_RIDGE, LONE_VALLEY))
+    flat = np.isin(strokes.extent[:, 2], OUTLINES)
     behind = np.where(flat, 1.0, reach)
     beyond = np.where(flat & ~corner, 1.0, reach)
     sharp = corner & (_dot(along, strokes.onwards) < 0.0)
@@ -206,7 +205,7 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     past = t - np.clip(t, 0.0, length)
     past[np.abs(past) < JOINT] = 0.0
     rim = np.clip(outer + 0.5 - np.hypot(past, s), 0.0, 1.0)
-    if inner == -outer:
+    if strokes.extent[row, 2] > FIN:
         return np.asarray(rim)
     onwards = strokes.onwards[row]
     corner = (past > 0.0) & ((pixels - b) @ onwards < 0.0)

@@ -15,7 +15,7 @@ const float STEEPEST = 10.0;  // the same over the walls of a valley
 float covered(float s, float past, vec2 from_b) {
     if (abs(past) < JOINT) past = 0.0;
     float rim = clamp(extent.y + 0.5 - length(vec2(past, s)), 0.0, 1.0);
-    if (extent.x == -extent.y) return rim;
+    if (kind > FIN) return rim;
     if (past == 0.0) return clamp(extent.y + 0.5 - s, 0.0, 1.0) * clamp(s - extent.x + 0.5, 0.0, 1.0);
     return past > 0.0 && dot(from_b, onwards) < 0.0 ? rim : 0.0;
 }
@@ -48,8 +48,10 @@ void main() {
         vec3 place = point(on);
         vec2 aside = gl_FragCoord.xy - place.xy;
         float nearest = place.z + min(surface(aside), 0.0) - grain.y;
-        nearest -= (kind == LONE_VALLEY || kind == VALLEY ? STEEPEST : LEAN) * grain.x * off;
-        if (kind == RING) nearest = min(nearest, place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair);
+        bool wall = kind == LONE_VALLEY || kind == VALLEY;
+        nearest -= (wall ? STEEPEST : LEAN) * grain.x * off;
+        float floor_there = place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair;
+        if (kind == RING) nearest = min(nearest, floor_there);
         if (finished(gl_FragCoord.xy) < nearest) discard;
     }
     if (!seen(on)) discard;

@@ -76,8 +76,8 @@ void main() {
     }
 
     float width = widths[max(kind - 2, 0) / 2];
-    extent = vec3(outline || lone ? -INWARD : -0.5 * width,
-                  outline ? width - INWARD : 0.5 * width, kind);
+    float inward = outline ? INWARD : 0.5 * width;
+    extent = vec3(-inward, width - inward, edge_kind.x);
     float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
                 : kind == FIN || lone ? 0.0 : min(abs(line_b.z - line_a.z) / span, deep);
     grain = vec2(deep, slack + hair + blur * (lone ? length(slopes.xy) : deep));
@@ -87,7 +87,7 @@ void main() {
     // The quad: a pixel beyond the ink, round at the ends of what is not an outline.
     bool corner = onwards != vec2(0.0), far = gl_VertexID > 1;
     float reach = extent.y + 1.0;
-    float past = outline || lone ? (far && corner ? reach : 1.0) : reach;
+    float past = outline ? (far && corner ? reach : 1.0) : reach;
     float inner = corner && dot(along, onwards) < 0.0 ? -reach : extent.x - 1.0;
     vec2 place = far ? line_b.xy + past * along : line_a.xy - past * along;
     gl_Position = on_screen(place + ((gl_VertexID & 1) == 0 ? inner : reach) * out_1);

@@ -8,6 +8,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.geometry.camera import Camera
+from glshim.geometry.lines import RIDGE
 from glshim.geometry.raskar import Strokes
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
@@ -183,7 +184,7 @@ def test_the_reference_of_coverage_is_a_box_filter():
     one = np.ones((1, 2))
     line = Strokes(
         np.array([True]), np.array([[10.0, 10, 0]]), np.array([[20.0, 10, 0]]), 0 * one,
-        np.zeros((1, 4)), np.array([[-1.0, 1.0, 0.0]]), one, 0 * one,
+        np.zeros((1, 4)), np.array([[-1.0, 1.0, RIDGE]]), one, 0 * one,
     )  # fmt: skip
     pixels = np.array([(15, 10), (15, 11), (15, 8.5), (22, 10), (20.6, 10.8), (5, 10)], float)
     assert np.allclose(coverage(line, 0, pixels), [1, 0.5, 0, 0, 0.5, 0])
