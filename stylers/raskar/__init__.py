@@ -41,20 +41,20 @@ class Raskar(Styler):
     valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
     intersections: bool = option(True, help="ink where polygons pass through each other")
     silhouette_width: float = option(
-        3.0, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
+        2.5, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
     )
     ridge_width: float = option(
-        2.0, help="width of a ridge, half on either side of the edge", low=0.5, high=64.0, unit="px"
+        2.5, help="width of a ridge, half on either side of the edge", low=0.5, high=64.0, unit="px"
     )
     valley_width: float = option(
-        2.0,
+        2.5,
         help="width of a valley, half on either side of the edge",
         low=0.5,
         high=64.0,
         unit="px",
     )
     intersection_width: float = option(
-        2.0, help="width of an intersection, half on either side", low=0.5, high=64.0, unit="px"
+        2.5, help="width of an intersection, half on either side", low=0.5, high=64.0, unit="px"
     )
     ridge_angle: float = option(
         120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
