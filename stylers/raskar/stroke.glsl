@@ -53,9 +53,9 @@ int shown_beside(vec3 place, vec2 outwards) {
     vec2 centre = beyond(place.xy, outwards), off = centre - place.xy;
     float depth = finished(centre) - place.z;
     vec2 slope = dot(off, out_1) < 0.0 ? slopes.xy : slopes.zw;
-    if (abs(depth - surface(off)) <= grain.y + 0.25 * grain.x + 0.03 * length(slope)) return 3;
+    if (abs(depth - surface(off)) <= grain.y + 0.25 * grain.x + 0.005 * length(slope)) return 3;
     float before = level(off) - grain.y - depth;
-    return before <= 0.0 ? 2 : before < 3.0 * grain.x ? 1 : 0;
+    return before <= 0.0 ? 2 : before < 1.5 * grain.x ? 1 : 0;
 }
 
 // What is drawn beside a place, carried on to it over a square of four pixels: its depth over the
