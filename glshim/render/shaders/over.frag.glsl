@@ -26,11 +26,32 @@ float ring(float distance) {
     return count;
 }
 
+// Inked pixels two columns or rows away that touch an inked pixel beside this one.
+float linked() {
+    float count = 0.0;
+    for (float x = -2.0; x < 2.5; x += 1.0) {
+        for (float y = -2.0; y < 2.5; y += 1.0) {
+            if (max(abs(x), abs(y)) < 1.5 || inked(vec2(x, y)) == 0.0) continue;
+            float touched = 0.0;
+            for (float i = -1.0; i < 1.5; i += 1.0) {
+                for (float j = -1.0; j < 1.5; j += 1.0) {
+                    vec2 at = vec2(x + i, y + j);
+                    float away = max(abs(at.x), abs(at.y));
+                    if (away > 0.5 && away < 1.5) touched += inked(at);
+                }
+            }
+            count += min(touched, 1.0);
+        }
+    }
+    return count;
+}
+
+// Whether a pixel belongs to a speck of up to three pixels, or of five with nothing about them.
 bool lonely() {
     float beside = ring(1.0);
     if (beside > 3.5) return false;
-    float around = ring(2.0);
-    return around == 0.0 || beside == 0.0 || beside + around < 5.0 && ring(3.0) == 0.0;
+    if (beside == 0.0 || beside < 2.5 && beside + linked() < 2.5) return true;
+    return beside + ring(2.0) < 4.5 && ring(3.0) == 0.0;
 }
 
 void main() {
