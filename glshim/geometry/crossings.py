@@ -249,7 +249,7 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         # Distances of corners from the other plane; small means none.
         base = first[:, :1]
         sizes = np.stack((_size(first), _size(second)))
-        reach = np.maximum(np.abs(first).max(axis=(1, 2)), np.abs(second).max(axis=(1, 2)))
+        reach = np.maximum(_largest(first), _largest(second))
         slack = _SLACK * sizes + _ROUNDING * reach
         heights = [
             np.einsum("nci,ni->nc", first - second[:, :1], normals[1]),
@@ -266,16 +266,18 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         offset = -heights[0][:, 0] / sine
         spot = base[:, 0] + offset[:, None] * _cross(along, normals[0])
         ends = spot[:, None] + np.stack((low, high), axis=1)[:, :, None] * along[:, None]
-        apart = np.abs(first[:, :, None] - second[:, None]).max(axis=3)
+        corners = [np.ascontiguousarray(part.transpose(1, 2, 0)) for part in (first, second)]
+        small = slack.min(axis=0)
+        same = (np.abs(corners[0][:, None] - corners[1]) <= small).all(axis=2)
         touch = (sine > np.sin(_PARALLEL)) & (high - low >= -slack.sum(axis=0))
         return _Meeting(
             touch,
-            touch & (high - low > slack.min(axis=0)),
+            touch & (high - low > small),
             ends,
             along,
             normals,
             np.stack((spans[0][2], spans[1][2])),
-            (apart <= slack.min(axis=0)[:, None, None]).any(axis=2).sum(axis=1),
+            same.any(axis=1).sum(axis=0),
         )
 
 
@@ -284,17 +286,19 @@ def _span(places: Doubles, heights: Doubles) -> tuple[Doubles, Doubles, Indices]
 
     places (N, 3) of the corners along the line of the planes, heights (N, 3) above the plane.
     """
+    # By columns: numpy takes its time over short rows.
+    places, heights = np.ascontiguousarray(places.T), np.ascontiguousarray(heights.T)
     turn = [1, 2, 0]
     flat = heights == 0.0
-    next_places, next_heights = places[:, turn], heights[:, turn]
+    next_heights = heights[turn]
     through = heights * next_heights < 0.0
     share = heights / (heights - next_heights)
-    cut = places + share * (next_places - places)
-    at, valid = np.concatenate((places, cut), axis=1), np.concatenate((flat, through), axis=1)
-    low, high = np.where(valid, at, np.inf).min(axis=1), np.where(valid, at, -np.inf).max(axis=1)
-    in_plane = flat & flat[:, turn]
-    side = np.where(in_plane.any(axis=1), in_plane.argmax(axis=1), -1)
-    sliver = flat.all(axis=1)
+    cut = places + share * (places[turn] - places)
+    at, valid = np.concatenate((places, cut)), np.concatenate((flat, through))
+    low, high = np.where(valid, at, np.inf).min(axis=0), np.where(valid, at, -np.inf).max(axis=0)
+    in_plane = flat & flat[turn]
+    side = np.where(in_plane.any(axis=0), in_plane.argmax(axis=0), -1)
+    sliver = flat.all(axis=0)
     low[sliver], high[sliver] = np.inf, -np.inf
     return low, high, side
 
@@ -341,5 +345,9 @@ def _normals(triangles: Doubles) -> Doubles:
 
 def _size(triangles: Doubles) -> Doubles:
     """(N,) the longest side of triangles (N, 3, 3), along one axis."""
-    steps = triangles - triangles[:, [1, 2, 0]]
-    return np.asarray(np.abs(steps).max(axis=(1, 2)))
+    return _largest(triangles - triangles[:, [1, 2, 0]])
+
+
+def _largest(rows: Doubles) -> Doubles:
+    """(N,) the greatest absolute number of each of rows (N, 3, 3)."""
+    return np.asarray(np.abs(np.ascontiguousarray(rows.reshape(-1, 9).T)).max(axis=0))
