@@ -111,8 +111,7 @@ class _Scene:
         which = np.searchsorted(self.first, index, side="right") - 1
         for at in np.unique(which).tolist():
             chunk, rows = self.chunks[at], np.flatnonzero(which == at)
-            linear, shift = chunk.modelview[:3, :3], chunk.modelview[:3, 3]
-            found[rows] = chunk.corners[index[rows] - self.first[at]] @ linear.T + shift
+            found[rows] = _moved(chunk.corners[index[rows] - self.first[at]], chunk.modelview)
         return found
 
     def of_one_mesh(self, pairs: Indices) -> Flags:
@@ -198,7 +197,7 @@ class Crossings:
         streamed = [(body.corners, at) for body, at in passing]
         if small:
             with np.errstate(all="ignore"):  # an app may send anything
-                eye = [body.corners @ at[:3, :3].T + at[:3, 3] for body, at in small]
+                eye = [_moved(body.corners, at) for body, at in small]
                 streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
         ring = self._stream([corners for corners, _ in streamed])
         chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
@@ -339,6 +338,12 @@ class Crossings:
             found = {name: program[name] for name in program} | {"glo": program.glo}
             self._programs[planes, trap] = found
         return found
+
+
+def _moved(corners: Floats, modelview: Doubles) -> Doubles:
+    """(T, 3, 3) corners under an affine matrix; numpy is slow with many matrices of 3 by 3."""
+    points = corners.reshape(-1, 3) @ modelview[:3, :3].T
+    return np.asarray(points + modelview[:3, 3]).reshape(-1, 3, 3)
 
 
 def _lines(scene: _Scene, seeds: Indices) -> Floats:
