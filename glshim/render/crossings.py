@@ -109,7 +109,7 @@ class _Scene:
     def __getitem__(self, index: Indices, /) -> Doubles:
         found = np.empty((len(index), 3, 3))
         which = np.searchsorted(self.first, index, side="right") - 1
-        for at in np.unique(which).tolist():
+        for at in np.flatnonzero(np.bincount(which)).tolist():
             chunk, rows = self.chunks[at], np.flatnonzero(which == at)
             found[rows] = _moved(chunk.corners[index[rows] - self.first[at]], chunk.modelview)
         return found
@@ -124,7 +124,8 @@ class _Scene:
         """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
         first = self._starts
         beside = np.full((int(first[-1]), 3), -1, np.intp)
-        named = np.unique(np.searchsorted(first, pairs, side="right") - 1).tolist()
+        which = np.searchsorted(first, pairs.ravel(), side="right") - 1
+        named = np.flatnonzero(np.bincount(which)).tolist()
         for at in named:
             own = self._bodies[at].neighbours
             beside[first[at] : first[at + 1]] = np.where(own >= 0, own + first[at], -1)
@@ -295,7 +296,7 @@ class Crossings:
         for plane in range(len(planes)):
             gl.glDisable(_CLIP_PLANE + plane)
         code = noted.view(np.uint64)[:, 0]
-        code = np.unique(code[code != 0])
+        code = crossings.distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
     def _fit(self, width: int, height: int) -> None:
