@@ -14,7 +14,7 @@ from statistics import median
 from tests.programs.screen import NoScreen, virtual_screen
 
 from .features import print_features
-from .measure import MODES, BenchmarkError, Timing, ratio, remembered, rounds_of
+from .measure import MODES, BenchmarkError, Timing, remembered, rounds_of
 
 # The most that a mode may take, as a multiple of plain.
 TARGETS = {
@@ -52,7 +52,7 @@ def cell(timing: dict[str, list[Timing]], scene: str, mode: str) -> tuple[str, b
     milliseconds = 1000 * median(t.middle for t in rounds)
     if mode == "plain":
         return f"{milliseconds:.2f}", False
-    multiple = ratio(timing, mode)
+    multiple = median(t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True))
     limit = target(scene, mode)
     missed = limit is not None and multiple > limit
     text = f"{milliseconds:.2f} ({multiple:.2f}x)"

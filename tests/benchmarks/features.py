@@ -1,4 +1,5 @@
-"""What each kind of line costs, alone and together, in milliseconds and in vertices.
+"""What each kind of line costs, alone and together, in milliseconds of all processors (drawing
+in software and numpy alike) and in vertices.
 
 Raskar 2001, section 4: "the number of vertex transformations increases by a factor of 2 to 5".
 """
@@ -7,7 +8,7 @@ from collections.abc import Sequence
 from fnmatch import fnmatch
 from statistics import median
 
-from .measure import Timing, ratio, rounds_of
+from .measure import Timing, rounds_of
 
 KINDS = ("silhouettes", "ridges", "valleys", "intersections")
 SCENES = (
@@ -34,13 +35,13 @@ MODES = {
 
 def cells(timing: dict[str, list[Timing]], mode: str) -> tuple[str, str]:
     """`milliseconds (multiple of plain)` and the vertex factor."""
-    milliseconds = f"{1000 * median(t.middle for t in timing[mode]):.2f}"
-    own, mesh = timing[mode][0].vertices, timing["plain"][0].vertices
-    factor = f"{own / mesh:.2f}" if own and mesh else "?"
-    return (
-        milliseconds if mode == "plain" else f"{milliseconds} ({ratio(timing, mode):.2f}x)",
-        factor,
-    )
+    rounds, plain = timing[mode], timing["plain"]
+    text = f"{1000 * median(t.processors for t in rounds):.1f}"
+    if mode != "plain":
+        ratio = median(t.processors / p.processors for t, p in zip(rounds, plain, strict=True))
+        text += f" ({ratio:.1f}x)"
+    own, mesh = rounds[0].vertices, plain[0].vertices
+    return text, f"{own / mesh:.2f}" if own and mesh else "?"
 
 
 def print_features(only: str, rounds: int, seconds: float, display: str) -> None:
@@ -48,10 +49,8 @@ def print_features(only: str, rounds: int, seconds: float, display: str) -> None
     scenes = [scene for scene in SCENES if fnmatch(scene, f"*{only}*")]
     if not scenes:
         return
-    print(
-        "Milliseconds a frame (multiple of plain) | vertices through the pipeline, those of what "
-        "glshim draws with them, over the mesh's own."
-    )
+    print("Milliseconds of all processors together a frame (multiple of plain); vertices through")
+    print("the pipeline, those of what glshim draws among them, over the mesh's own.")
     print()
     print(f"| lines | {' | '.join(f'{scene} | vertices' for scene in scenes)} |")
     print(f"|---|{'--:|--:|' * len(scenes)}", flush=True)

@@ -24,6 +24,8 @@ class Timing:
 
     first: float
     middle: float
+    processors: float
+    """The time of all processors for a frame: what else the machine does hardly counts."""
     vertices: float | None
     """What a frame sends through the pipeline; None where OpenGL does not count."""
 
@@ -50,14 +52,8 @@ def rounds_of(
     for _ in range(rounds):
         for mode, found in timing.items():
             r = child(mode, display, "time", scene, str(seconds))
-            found.append(Timing(r["first"], median(r["frames"]), r["vertices"]))
+            found.append(Timing(r["first"], median(r["frames"]), r["processors"], r["vertices"]))
     return timing
-
-
-def ratio(timing: dict[str, list[Timing]], mode: str) -> float:
-    """The multiple of plain that a mode takes: a median over the rounds."""
-    pairs = zip(timing[mode], timing["plain"], strict=True)
-    return median(own.middle / plain.middle for own, plain in pairs)
 
 
 def remembered(scene: str, frames: int, mode: str, display: str) -> list[int]:
