@@ -38,7 +38,7 @@ class Camera:
     def affine(self) -> Camera:
         """An equal camera whose modelview is affine: an app that multiplies its perspective onto
         the modelview stack gets its object space for an eye space."""
-        if (self.modelview[3] == (0.0, 0.0, 0.0, 1.0)).all():
+        if self.modelview[3].tolist() == [0.0, 0.0, 0.0, 1.0]:
             return self
         clip = self.projection @ self.modelview
         a, b, c, d = ((np.asarray(self.clip_planes).reshape(-1, 4) @ self.modelview).T).tolist()

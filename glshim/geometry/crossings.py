@@ -13,7 +13,7 @@ about the line lie.
 
 from __future__ import annotations
 
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +33,8 @@ _SLIVER = 1e-6
 _ROUNDS = 12
 """Triangles by which curves are followed from what was seen: hides the gaps between pixels,
 and does not run along all that is hidden."""
+
+_Number = TypeVar("_Number", bound="np.integer[Any]")
 
 
 class Triangles(Protocol):
@@ -142,8 +144,16 @@ def trace(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
 def _codes(pairs: Indices, total: int) -> Indices:
     """(K,) one number for each pair, whatever its order: sorted, each once, no -1 and no pair
     of a triangle with itself."""
-    low, high = pairs.min(axis=1, initial=total), pairs.max(axis=1, initial=-1)
-    return np.unique((low * np.intp(total) + high)[(low >= 0) & (low != high)])
+    low, high = np.minimum(pairs[:, 0], pairs[:, 1]), np.maximum(pairs[:, 0], pairs[:, 1])
+    return distinct((low * np.intp(total) + high)[(low >= 0) & (low != high)])
+
+
+def distinct(values: NDArray[_Number]) -> NDArray[_Number]:
+    """(K,) each value once, sorted. np.unique hashes, which takes six times as long."""
+    ordered = np.sort(values)
+    fresh = np.ones(len(ordered), np.bool_)
+    np.not_equal(ordered[1:], ordered[:-1], out=fresh[1:])
+    return ordered[fresh]
 
 
 def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Doubles, Indices]:
@@ -249,7 +259,8 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         # Distances of corners from the other plane; small means none.
         base = first[:, :1]
         sizes = np.stack((_size(first), _size(second)))
-        reach = np.maximum(np.abs(first).max(axis=(1, 2)), np.abs(second).max(axis=(1, 2)))
+        one, other = _columns(first), _columns(second)
+        reach = np.maximum(np.abs(one).max(axis=(0, 1)), np.abs(other).max(axis=(0, 1)))
         slack = _SLACK * sizes + _ROUNDING * reach
         heights = [
             np.einsum("nci,ni->nc", first - second[:, :1], normals[1]),
@@ -266,16 +277,19 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         offset = -heights[0][:, 0] / sine
         spot = base[:, 0] + offset[:, None] * _cross(along, normals[0])
         ends = spot[:, None] + np.stack((low, high), axis=1)[:, :, None] * along[:, None]
-        apart = np.abs(first[:, :, None] - second[:, None]).max(axis=3)
+        small = slack.min(axis=0)
+        same = np.ones((3, 3, len(first)), np.bool_)
+        for axis in range(3):
+            same &= np.abs(one[:, None, axis] - other[:, axis]) <= small
         touch = (sine > np.sin(_PARALLEL)) & (high - low >= -slack.sum(axis=0))
         return _Meeting(
             touch,
-            touch & (high - low > slack.min(axis=0)),
+            touch & (high - low > small),
             ends,
             along,
             normals,
             np.stack((spans[0][2], spans[1][2])),
-            (apart <= slack.min(axis=0)[:, None, None]).any(axis=2).sum(axis=1),
+            same.any(axis=1).sum(axis=0),
         )
 
 
@@ -284,17 +298,18 @@ def _span(places: Doubles, heights: Doubles) -> tuple[Doubles, Doubles, Indices]
 
     places (N, 3) of the corners along the line of the planes, heights (N, 3) above the plane.
     """
+    places, heights = np.ascontiguousarray(places.T), np.ascontiguousarray(heights.T)
     turn = [1, 2, 0]
     flat = heights == 0.0
-    next_places, next_heights = places[:, turn], heights[:, turn]
+    next_heights = heights[turn]
     through = heights * next_heights < 0.0
     share = heights / (heights - next_heights)
-    cut = places + share * (next_places - places)
-    at, valid = np.concatenate((places, cut), axis=1), np.concatenate((flat, through), axis=1)
-    low, high = np.where(valid, at, np.inf).min(axis=1), np.where(valid, at, -np.inf).max(axis=1)
-    in_plane = flat & flat[:, turn]
-    side = np.where(in_plane.any(axis=1), in_plane.argmax(axis=1), -1)
-    sliver = flat.all(axis=1)
+    cut = places + share * (places[turn] - places)
+    at, valid = np.concatenate((places, cut)), np.concatenate((flat, through))
+    low, high = np.where(valid, at, np.inf).min(axis=0), np.where(valid, at, -np.inf).max(axis=0)
+    in_plane = flat & flat[turn]
+    side = np.where(in_plane.any(axis=0), in_plane.argmax(axis=0), -1)
+    sliver = flat.all(axis=0)
     low[sliver], high[sliver] = np.inf, -np.inf
     return low, high, side
 
@@ -341,5 +356,10 @@ def _normals(triangles: Doubles) -> Doubles:
 
 def _size(triangles: Doubles) -> Doubles:
     """(N,) the longest side of triangles (N, 3, 3), along one axis."""
-    steps = triangles - triangles[:, [1, 2, 0]]
-    return np.asarray(np.abs(steps).max(axis=(1, 2)))
+    columns = _columns(triangles)
+    return np.asarray(np.abs(columns - columns[[1, 2, 0]]).max(axis=(0, 1)))
+
+
+def _columns(triangles: Doubles) -> Doubles:
+    """(3, 3, N) corners and their axes; numpy takes its time over short rows."""
+    return np.ascontiguousarray(triangles.transpose(1, 2, 0))

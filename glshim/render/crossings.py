@@ -109,10 +109,9 @@ class _Scene:
     def __getitem__(self, index: Indices, /) -> Doubles:
         found = np.empty((len(index), 3, 3))
         which = np.searchsorted(self.first, index, side="right") - 1
-        for at in np.unique(which).tolist():
+        for at in np.flatnonzero(np.bincount(which)).tolist():
             chunk, rows = self.chunks[at], np.flatnonzero(which == at)
-            linear, shift = chunk.modelview[:3, :3], chunk.modelview[:3, 3]
-            found[rows] = chunk.corners[index[rows] - self.first[at]] @ linear.T + shift
+            found[rows] = _moved(chunk.corners[index[rows] - self.first[at]], chunk.modelview)
         return found
 
     def of_one_mesh(self, pairs: Indices) -> Flags:
@@ -125,7 +124,8 @@ class _Scene:
         """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
         first = self._starts
         beside = np.full((int(first[-1]), 3), -1, np.intp)
-        named = np.unique(np.searchsorted(first, pairs, side="right") - 1).tolist()
+        which = np.searchsorted(first, pairs.ravel(), side="right") - 1
+        named = np.flatnonzero(np.bincount(which)).tolist()
         for at in named:
             own = self._bodies[at].neighbours
             beside[first[at] : first[at + 1]] = np.where(own >= 0, own + first[at], -1)
@@ -198,7 +198,7 @@ class Crossings:
         streamed = [(body.corners, at) for body, at in passing]
         if small:
             with np.errstate(all="ignore"):  # an app may send anything
-                eye = [body.corners @ at[:3, :3].T + at[:3, 3] for body, at in small]
+                eye = [_moved(body.corners, at) for body, at in small]
                 streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
         ring = self._stream([corners for corners, _ in streamed])
         chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
@@ -296,7 +296,7 @@ class Crossings:
         for plane in range(len(planes)):
             gl.glDisable(_CLIP_PLANE + plane)
         code = noted.view(np.uint64)[:, 0]
-        code = np.unique(code[code != 0])
+        code = crossings.distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
     def _fit(self, width: int, height: int) -> None:
@@ -339,6 +339,12 @@ class Crossings:
             found = {name: program[name] for name in program} | {"glo": program.glo}
             self._programs[planes, trap] = found
         return found
+
+
+def _moved(corners: Floats, modelview: Doubles) -> Doubles:
+    """(T, 3, 3) corners under an affine matrix; numpy is slow with many matrices of 3 by 3."""
+    points = corners.reshape(-1, 3) @ modelview[:3, :3].T
+    return np.asarray(points + modelview[:3, 3]).reshape(-1, 3, 3)
 
 
 def _lines(scene: _Scene, seeds: Indices) -> Floats:

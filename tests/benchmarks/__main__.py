@@ -2,7 +2,7 @@
 
 Each cell is a process of its own (`scenes.py`, an ordinary program); the modes take turns, round
 after round, so that what else the machine does meets them alike. Times are medians, ratios are
-medians over the rounds of mode to plain.
+medians over the rounds of mode to plain. A second table has what each kind of line costs.
 """
 
 import argparse
@@ -13,7 +13,8 @@ from statistics import median
 
 from tests.programs.screen import NoScreen, virtual_screen
 
-from .measure import MODES, BenchmarkError, Timing, remembered, round_of
+from .features import print_features
+from .measure import MODES, BenchmarkError, Timing, remembered, rounds_of
 
 # The most that a mode may take, as a multiple of plain.
 TARGETS = {
@@ -51,10 +52,10 @@ def cell(timing: dict[str, list[Timing]], scene: str, mode: str) -> tuple[str, b
     milliseconds = 1000 * median(t.middle for t in rounds)
     if mode == "plain":
         return f"{milliseconds:.2f}", False
-    ratio = median(t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True))
+    multiple = median(t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True))
     limit = target(scene, mode)
-    missed = limit is not None and ratio > limit
-    text = f"{milliseconds:.2f} ({ratio:.2f}x)"
+    missed = limit is not None and multiple > limit
+    text = f"{milliseconds:.2f} ({multiple:.2f}x)"
     return (f"**{text}**" if missed else text), missed
 
 
@@ -67,10 +68,7 @@ def print_times(choice: argparse.Namespace, display: str) -> int:
     for scene in SCENES:
         if not fnmatch.fnmatch(scene, f"*{choice.only}*"):
             continue
-        timing: dict[str, list[Timing]] = {mode: [] for mode in MODES}
-        for _ in range(choice.rounds):
-            for mode, result in round_of(scene, choice.seconds, display).items():
-                timing[mode].append(result)
+        timing = rounds_of(scene, MODES, choice.rounds, choice.seconds, display)
         cells = []
         for mode in MODES:
             text, missed = cell(timing, scene, mode)
@@ -101,6 +99,8 @@ def main() -> int:
     parser.add_argument("--only", default="*", metavar="PATTERN", help="scenes to run, a glob")
     parser.add_argument("--memory", type=int, metavar="FRAMES", nargs="?", const=10_000,
                         help="memory over so many frames instead of times")
+    parser.add_argument("--features", action="store_true",
+                        help="only what each kind of line costs, the second table")
     parser.add_argument("--check", action="store_true", help="exit status 1 on a missed target")
     choice = parser.parse_args()
     try:
@@ -108,7 +108,10 @@ def main() -> int:
             if choice.memory:
                 print_memory(choice.memory, display)
                 return 0
-            misses = print_times(choice, display)
+            misses = 0 if choice.features else print_times(choice, display)
+            if not choice.features:
+                print()
+            print_features(choice.only, choice.rounds, choice.seconds, display)
     except (NoScreen, BenchmarkError) as reason:
         print(f"{Path(sys.executable).name} -m tests.benchmarks: {reason}", file=sys.stderr)
         return 2

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -23,10 +24,14 @@ class Timing:
 
     first: float
     middle: float
+    processors: float
+    """The time of all processors for a frame: what else the machine does hardly counts."""
+    vertices: float | None
+    """What a frame sends through the pipeline; None where OpenGL does not count."""
 
 
 def child(mode: str, display: str, *arguments: str) -> Any:
-    """What `scenes.py` prints, under one of the modes."""
+    """What `scenes.py` prints, under a mode: "plain" or a style."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
     environment["DISPLAY"] = display
     if mode != "plain":
@@ -39,10 +44,16 @@ def child(mode: str, display: str, *arguments: str) -> Any:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def round_of(scene: str, seconds: float, display: str) -> dict[str, Timing]:
-    """Every mode once, one after the other."""
-    results = {mode: child(mode, display, "time", scene, str(seconds)) for mode in MODES}
-    return {mode: Timing(r["first"], median(r["frames"])) for mode, r in results.items()}
+def rounds_of(
+    scene: str, modes: Iterable[str], rounds: int, seconds: float, display: str
+) -> dict[str, list[Timing]]:
+    """Every mode once, one after the other, and all that again."""
+    timing: dict[str, list[Timing]] = {mode: [] for mode in modes}
+    for _ in range(rounds):
+        for mode, found in timing.items():
+            r = child(mode, display, "time", scene, str(seconds))
+            found.append(Timing(r["first"], median(r["frames"]), r["processors"], r["vertices"]))
+    return timing
 
 
 def remembered(scene: str, frames: int, mode: str, display: str) -> list[int]:

@@ -5,6 +5,7 @@ of calls and vertices and not of filling pixels. A frame is timed from its clear
 the swap, glFinish included. The camera turns from frame to frame. Prints one line of JSON.
 """
 
+import ctypes
 import gc
 import json
 import sys
@@ -25,17 +26,25 @@ Draw = Callable[[int], None]
 SIZE = (400, 300)
 WARM = 4  # frames before the timing begins; the first of them is reported apart
 MOVES = 16  # different shapes of the mesh that moves
+PLEATS = 16
+COUNTED = 4  # frames whose vertices are counted
+VERTICES_SUBMITTED = 0x82EE  # OpenGL 4.6, ARB_pipeline_statistics_query
 
 
-def sphere(quads: int, swell: float = 0.0) -> NDArray[np.float32]:
-    """Normals and points (quads, 4, 6) of a sphere of that many quads."""
+def sphere(quads: int, swell: float = 0.0, pleats: float = 0.0) -> NDArray[np.float32]:
+    """Normals and points (quads, 4, 6) of a sphere of that many quads. pleats: depth of folds from
+    pole to pole, ridges and valleys of about 90 and 270 degrees at 0.2."""
     columns = round((2 * quads) ** 0.5)
+    if pleats:
+        columns = max(round(columns / (2 * PLEATS)), 1) * 2 * PLEATS
     rows = -(-quads // columns)
     polar = np.linspace(0.02, np.pi - 0.02, rows + 1)[:, None]
     turn = np.linspace(0.0, 2 * np.pi, columns + 1)
     normals = np.stack([np.sin(polar) * np.cos(turn), np.cos(polar) + 0 * turn,
                         np.sin(polar) * np.sin(turn)], axis=2)
-    points = normals * (1 + swell * np.sin(5 * polar + 3 * turn))[..., None]
+    height = np.abs(turn * PLEATS / np.pi % 2 - 1) - 0.5  # from -0.5 to 0.5 and back
+    height = swell * np.sin(5 * polar + 3 * turn) + pleats * np.sin(polar) * height
+    points = normals * (1 + height)[..., None]
     grid = np.concatenate([normals, points], axis=2)
     corners = [grid[:-1, :-1], grid[:-1, 1:], grid[1:, 1:], grid[1:, :-1]]
     return np.stack(corners, axis=2).reshape(-1, 4, 6)[:quads].astype(np.float32)
@@ -108,6 +117,21 @@ def display_list(polygons: int) -> Draw:
     name = glGenLists(1)
     glNewList(name, GL_COMPILE)
     immediate(4 * polygons)(0)
+    glEndList()
+    return lambda _frame: glCallList(name)
+
+
+def crossed(polygons: int) -> Draw:
+    """A list of a sphere with folds, half of the polygons, and a smooth one that passes through
+    all of them: a mesh that has every kind of line."""
+    name = glGenLists(1)
+    glNewList(name, GL_COMPILE)
+    glBegin(GL_QUADS)
+    for mesh in (sphere(polygons // 2, pleats=0.2), sphere(polygons // 2)):
+        for nx, ny, nz, x, y, z in calls(mesh):
+            glNormal3f(nx, ny, nz)
+            glVertex3f(x, y, z)
+    glEnd()
     glEndList()
     return lambda _frame: glCallList(name)
 
@@ -214,6 +238,7 @@ SCENES: dict[str, Callable[[], Draw]] = {
     "1,000 glBegin/glEnd of one quad": lambda: pairs(1_000),
     "display list, 10k polygons": lambda: display_list(10_000),
     "display list, 100k polygons": lambda: display_list(100_000),
+    "display list, 10k, folded and crossing": lambda: crossed(10_000),
     "buffer object, 100k polygons": lambda: buffer(100_000),
     "2,000 matrix calls, 500 glCallList": lambda: matrices(2_000),
     "glCallLists of 500 lists": lambda: call_lists(500),
@@ -251,16 +276,35 @@ def one_frame(window: object, draw: Draw, frame: int) -> float:
 
 
 def timed(name: str, seconds: float) -> dict[str, object]:
-    """The first frame and the frames after the warm-up, in seconds."""
+    """The first frame and the frames after the warm-up, in seconds; and of each of these
+    the time of all processors, and the vertices."""
     window = open_window()
     draw = SCENES[name]()
     warm = [one_frame(window, draw, i) for i in range(WARM)]
     gc.collect()
     times: list[float] = []
+    spent = time.process_time()
     while len(times) < 5 or (sum(times) < seconds and len(times) < 400):
         times.append(one_frame(window, draw, WARM + len(times)))
         glfw.poll_events()
-    return {"first": warm[0], "frames": times}
+    spent = (time.process_time() - spent) / len(times)
+    vertices = submitted(window, draw, WARM + len(times))
+    return {"first": warm[0], "frames": times, "processors": spent, "vertices": vertices}
+
+
+def submitted(window: object, draw: Draw, frame: int) -> float | None:
+    """Vertices that one frame sends through the pipeline, whoever draws them: OpenGL's own count,
+    a mean over some frames. None where it does not count."""
+    if b"GL_ARB_pipeline_statistics_query" not in glGetString(GL_EXTENSIONS).split():
+        return None
+    query = int(glGenQueries(1)[0])
+    glBeginQuery(VERTICES_SUBMITTED, query)
+    for turn in range(COUNTED):
+        one_frame(window, draw, frame + turn)
+    glEndQuery(VERTICES_SUBMITTED)
+    count = ctypes.c_uint64()
+    glGetQueryObjectui64v(query, GL_QUERY_RESULT, count)
+    return count.value / COUNTED
 
 
 def resident() -> int:
