@@ -40,15 +40,17 @@ MOVING = {
 
 @pytest.fixture(scope="module", params=MOVING)
 def folds(request: pytest.FixtureRequest) -> NDArray[np.float64]:
-    """(times, edges) in degrees; the edges in the order of their polygons, alike at all times."""
+    """(times, edges) in degrees; the edges in the order of their corners, alike at all times."""
     at, times = MOVING[request.param]
     rows = []
     for time in times:
-        found = edges(at(float(time)))
-        first, second = found.pairs
-        assert len(first) == len(found.folds)
-        key = np.sort(np.stack([found.polygon[first], found.polygon[second]]), axis=0)
-        rows.append(np.degrees(found.folds)[np.lexsort(key)])
+        batch = at(float(time))
+        found = edges(batch)
+        first, second = (side[~found.diagonal[found.pairs[0]]] for side in found.pairs)
+        corner = {row.tobytes(): k for k, row in enumerate(batch.positions)}
+        ends = found.sides[first].reshape(-1, 2, 3)
+        key = np.sort([[corner[end.tobytes()] for end in pair] for pair in ends], axis=1).T
+        rows.append(np.degrees(found.fold(first, second))[np.lexsort(key)])
     assert len({len(row) for row in rows}) == 1, "an edge was lost on the way"
     return np.stack(rows)
 
