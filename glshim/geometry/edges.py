@@ -49,6 +49,11 @@ class Edges:
     """(E,) row in planes of the side's polygon."""
     planes: Doubles
     """(P, 4): the unit normal of the winding (Newell), minus its product with the centroid."""
+    creases: Doubles
+    """(P, 3) unit normals that folds are measured by: of the whole polygon, where it is bent and
+    held as the triangles that are drawn."""
+    parents: NDArray[np.int32]
+    """(P,) numbers of those whole polygons."""
     order: Indices
     """(E,) sides sorted so that those of one edge are neighbours."""
     first: Indices
@@ -93,7 +98,7 @@ class Edges:
     def fold(self, first: Indices, second: Indices, linear: Doubles | None = None) -> Doubles:
         """(N,) `dihedral` angles of pairs of sides, seen from the winding side of first, in
         object space or in the space that a linear part, (3, 3) or (N, 3, 3), leads to."""
-        one, other = (self.planes[self.polygon[side], :3] for side in (first, second))
+        one, other = (self.creases[self.polygon[side]] for side in (first, second))
         other = np.where((self.forward[first] != self.forward[second])[:, None], other, -other)
         along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
         if linear is not None:
@@ -105,8 +110,9 @@ class Edges:
     @property
     def nbytes(self) -> int:
         """Memory of the arrays, for caches."""
-        arrays = (self.sides, self.polygon, self.planes, self.order, self.first, self.forward)
-        return sum(a.nbytes for a in arrays) + 40 * len(self.first)
+        arrays = (self.sides, self.polygon, self.planes, self.creases, self.parents)
+        met = (self.order, self.first, self.forward)
+        return sum(a.nbytes for a in (*arrays, *met)) + 40 * len(self.first)
 
 
 def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
@@ -168,11 +174,15 @@ def _edges(
     parts: list[tuple[Floats, NDArray[np.int32], Doubles]] = []
     owners: list[NDArray[np.int32]] = []
     done = 0
-    for at, flags, numbers in _by_size(batch):
+    creases: list[Doubles] = []
+    parents: list[Indices] = []
+    for at, flags, numbers, normals in _by_size(batch):
         part = _same_size(batch.positions[at], flags)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
+        creases.append(part[2][:, :3] if normals is None else normals[part[3]])
+        parents.append(numbers[part[3]])
         if objects is not None:
-            owners.append(objects[numbers[part[3]]])
+            owners.append(objects[parents[-1]])
         done += len(part[2])
     if not parts:
         parts.append((np.empty((0, 6), np.float32), np.empty(0, np.int32), np.empty((0, 4))))
@@ -181,12 +191,14 @@ def _edges(
     )
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
     met = neighbours(sides, owner[polygon] if len(owner) else None)
-    return Edges(sides, polygon, planes, *met), owner
+    whole = np.concatenate(creases) if creases else np.empty((0, 3))
+    numbers = np.concatenate([*parents, np.empty(0, np.int32)]).astype(np.int32)
+    return Edges(sides, polygon, planes, whole, numbers, *met), owner
 
 
-_Group = tuple[NDArray[np.int32], Flags, Indices]
+_Group = tuple[NDArray[np.int32], Flags, Indices, Doubles | None]
 """Polygons with equally many corners: (P, n) indices into positions, (P, n) true sides, (P,) their
-numbers in the batch."""
+numbers in the batch, and (P, 3) unit normals of the whole polygons if these are parts."""
 
 
 def _by_size(batch: PolygonBatch) -> list[_Group]:
@@ -203,18 +215,19 @@ def _by_size(batch: PolygonBatch) -> list[_Group]:
             polygon = np.flatnonzero(sizes == size)
             index = batch.starts[:-1][polygon][:, None] + np.arange(size, dtype=np.int32)
             at, flags = batch.corners[index], batch.boundary[index]
-        bent = _bent(batch.positions[at]) if size > 3 else np.zeros(0, np.bool_)
-        if bent.any():
-            groups.append(_fans(at[bent], flags[bent], polygon[bent]))
-            at, flags, polygon = at[~bent], flags[~bent], polygon[~bent]
-        groups.append((at, flags, polygon))
+        if size > 3:
+            bent, normals = _bent(batch.positions[at])
+            if bent.any():
+                groups.append(_fans(at[bent], flags[bent], polygon[bent], normals[bent]))
+                at, flags, polygon = at[~bent], flags[~bent], polygon[~bent]
+        groups.append((at, flags, polygon, None))
     return groups
 
 
-def _bent(points: Floats) -> Flags:
+def _bent(points: Floats) -> tuple[Flags, Doubles]:
     """(P,) whether the corners of polygons (P, n, 3) lie in no plane: outlines run along the
     diagonals at which a driver bends them. Not where a cut would leave a sliver without a normal
-    of its own."""
+    of its own. And (P, 3) their unit normals (Newell)."""
     with np.errstate(invalid="ignore", over="ignore"):
         spokes = points[:, 1:].astype(np.float64) - points[:, :1]
         cuts = [_cross(spokes[:, k], spokes[:, k + 1]) for k in range(spokes.shape[1] - 1)]
@@ -223,11 +236,13 @@ def _bent(points: Floats) -> Flags:
         height = np.abs(np.einsum("pni,pi->pn", spokes, normal)).max(axis=1)
         reach = np.abs(spokes).max(axis=(1, 2))
         size = np.abs(normal).max(axis=1)
-        return np.asarray((height > _BENT * reach * size) & (least > _SLIVER * size))
+        bent = (height > _BENT * reach * size) & (least > _SLIVER * size)
+        return np.asarray(bent), _unit(normal)
 
 
-def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices) -> _Group:
-    """Polygons (P, n) as fans of triangles about their first corner; the cuts are true sides."""
+def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices, normals: Doubles) -> _Group:
+    """Polygons (P, n) as fans of triangles about their first corner; the cuts are true sides, but
+    by the normals (P, 3) of the whole polygons no creases."""
     count, size = at.shape
     fans = size - 2
     steps = np.arange(fans)
@@ -235,7 +250,8 @@ def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices) -> _Group:
     sides = np.ones((count, fans, 3), np.bool_)
     sides[:, 0, 0], sides[:, -1, 2] = flags[:, 0], flags[:, -1]
     sides[:, :, 1] = flags[:, 1:-1]
-    return at[:, corners].reshape(-1, 3), sides.reshape(-1, 3), np.repeat(polygon, fans)
+    parts = at[:, corners].reshape(-1, 3), sides.reshape(-1, 3)
+    return *parts, np.repeat(polygon, fans), np.repeat(normals, fans, axis=0)
 
 
 def neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:

@@ -149,9 +149,11 @@ class _Seen:
         """Some sides in eye space, each with its plane, not yet knowing each other."""
         ends, normals = self._ends(sides), self._normals(sides)
         planes = np.c_[normals, -np.einsum("li,li->l", normals, ends[:, 0])]
+        creases = self._turned(sides, self.edges.creases[self.edges.polygon[sides]])
         nothing = np.empty(0, np.intp)
+        each = np.arange(len(sides), dtype=np.int32)
         return Edges(
-            ends.reshape(-1, 6), np.arange(len(sides), dtype=np.int32), planes,
+            ends.reshape(-1, 6), each, planes, creases, each,
             nothing, nothing, np.empty(0, np.bool_),
         )  # fmt: skip
 
@@ -200,7 +202,11 @@ class _Seen:
 
     def _normals(self, sides: Indices) -> Doubles:
         """(N, 3) unit normals in eye space."""
-        normals = self.edges.planes[self.edges.polygon[sides], :3, None]
+        return self._turned(sides, self.edges.planes[self.edges.polygon[sides], :3])
+
+    def _turned(self, sides: Indices, vectors: Doubles) -> Doubles:
+        """(N, 3) normals of the polygons of sides, from object to eye space, unit."""
+        normals = vectors[:, :, None]
         turn = cofactors(self._places.modelviews)
         moved = (turn[0] @ normals if len(turn) == 1 else turn[self._owners(sides)] @ normals)[
             ..., 0
@@ -291,8 +297,9 @@ def _seams(lone: list[Edges]) -> Edges:
     """Lone sides of all parts, in one space, as edges with each other's sides."""
     sides = np.concatenate([part.sides for part in lone])
     planes = np.concatenate([part.planes for part in lone])
-    polygon = np.arange(len(sides), dtype=np.int32)
-    return Edges(sides, polygon, planes, *neighbours(sides, None))
+    creases = np.concatenate([part.creases for part in lone])
+    each = np.arange(len(sides), dtype=np.int32)
+    return Edges(sides, each, planes, creases, each, *neighbours(sides, None))
 
 
 def _are_similarities(modelviews: Doubles) -> Flags:

@@ -46,7 +46,9 @@ def folds(request: pytest.FixtureRequest) -> NDArray[np.float64]:
     for time in times:
         batch = at(float(time))
         found = edges(batch)
-        first, second = (side[~found.diagonal[found.pairs[0]]] for side in found.pairs)
+        parents = [found.parents[found.polygon[side]] for side in found.pairs]
+        whole = parents[0] != parents[1]  # else the cut of a bent quad
+        first, second = (side[whole] for side in found.pairs)
         corner = {row.tobytes(): k for k, row in enumerate(batch.positions)}
         ends = found.sides[first].reshape(-1, 2, 3)
         key = np.sort([[corner[end.tobytes()] for end in pair] for pair in ends], axis=1).T
