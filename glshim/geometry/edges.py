@@ -192,7 +192,9 @@ def _edges(
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
     met = neighbours(sides, owner[polygon] if len(owner) else None)
     whole = np.concatenate(creases) if creases else np.empty((0, 3))
-    numbers = np.concatenate([*parents, np.empty(0, np.int32)]).astype(np.int32)
+    numbers: NDArray[np.int32] = np.zeros(len(planes), np.int32)
+    if parents:
+        numbers[:] = np.concatenate(parents)
     return Edges(sides, polygon, planes, whole, numbers, *met), owner
 
 
