@@ -52,7 +52,7 @@ class Edges:
     creases: Doubles
     """(P, 3) unit normals that folds are measured by: of the whole polygon, where it is bent and
     held as the triangles that are drawn."""
-    parents: NDArray[np.int32]
+    parents: Indices
     """(P,) numbers of those whole polygons."""
     order: Indices
     """(E,) sides sorted so that those of one edge are neighbours."""
@@ -192,9 +192,7 @@ def _edges(
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
     met = neighbours(sides, owner[polygon] if len(owner) else None)
     whole = np.concatenate(creases) if creases else np.empty((0, 3))
-    numbers: NDArray[np.int32] = np.zeros(len(planes), np.int32)
-    if parents:
-        numbers[:] = np.concatenate(parents)
+    numbers = np.concatenate(parents) if parents else np.empty(0, np.intp)
     return Edges(sides, polygon, planes, whole, numbers, *met), owner
 
 

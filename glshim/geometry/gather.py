@@ -59,9 +59,7 @@ def together(parts: Sequence[Edges]) -> tuple[Edges, NDArray[np.int32]]:
         ),
         np.concatenate([part.planes for part in parts]),
         np.concatenate([part.creases for part in parts]),
-        np.concatenate(
-            [part.parents + np.int32(at) for part, at in zip(parts, planes, strict=True)]
-        ),
+        np.concatenate([part.parents + at for part, at in zip(parts, planes, strict=True)]),
         np.concatenate([part.order + at for part, at in zip(parts, sides, strict=True)]),
         np.concatenate([part.first + at for part, at in zip(parts, sides, strict=True)]),
         np.concatenate([part.forward for part in parts]),

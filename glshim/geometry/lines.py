@@ -153,7 +153,7 @@ class _Seen:
         nothing = np.empty(0, np.intp)
         each = np.arange(len(sides), dtype=np.int32)
         return Edges(
-            ends.reshape(-1, 6), each, planes, creases, each,
+            ends.reshape(-1, 6), each, planes, creases, each.astype(np.intp),
             nothing, nothing, np.empty(0, np.bool_),
         )  # fmt: skip
 
@@ -299,7 +299,7 @@ def _seams(lone: list[Edges]) -> Edges:
     planes = np.concatenate([part.planes for part in lone])
     creases = np.concatenate([part.creases for part in lone])
     each = np.arange(len(sides), dtype=np.int32)
-    return Edges(sides, each, planes, creases, each, *neighbours(sides, None))
+    return Edges(sides, each, planes, creases, each.astype(np.intp), *neighbours(sides, None))
 
 
 def _are_similarities(modelviews: Doubles) -> Flags:

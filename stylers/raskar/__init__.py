@@ -39,7 +39,9 @@ class Raskar(Styler):
     silhouettes: bool = option(True, help="ink where front-facing polygons meet back-facing ones")
     ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
     valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
-    intersections: bool = option(True, help="ink where polygons pass through each other")
+    intersections: bool = option(
+        False, help="ink where polygons pass through each other (draws them twice more)"
+    )
     silhouette_width: float = option(
         2.5, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
     )

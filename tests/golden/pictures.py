@@ -23,7 +23,7 @@ from tests.programs.harness import PLAIN, run
 FOLDER = Path(__file__).with_name("stored")
 RECORD = FOLDER / "renderer.json"
 SIZE = (320, 240)
-STYLE = "raskar:ink=#e8641b,silhouette_width=3,ridge_width=2,ridge_angle=120"
+STYLE = "raskar:ink=#e8641b,silhouette_width=3,ridge_width=2,ridge_angle=120,intersections=on"
 VIEWER_SHAPES = ("torus", "cube", "knot", "bowl")
 
 _ASK = """
