@@ -7,7 +7,7 @@ import ctypes
 import numpy as np
 
 from glshim.render.driver import gl
-from glshim.styling.protocol import Image
+from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13
 """Texture unit of the image while lines are drawn."""

@@ -1,20 +1,29 @@
-"""Picture files that options name."""
+"""Pictures that strokes are drawn with, and the files that options name."""
 
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import StyleError
-from glshim.styling.protocol import Image
 
 _MOST = 4096
 """Pixels a side that every driver takes; larger pictures are made smaller."""
 _COLOURLESS = 8
 """Difference between channels up to which a picture is grey."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Image:
+    """A picture that strokes are drawn with. Compared by identity: keep it."""
+
+    pixels: NDArray[np.uint8]
+    """(H, W, 4) red, green, blue, alpha (straight), the first row on top. Columns run along a
+    stroke and repeat, rows across it, the last one inside a silhouette."""
 
 
 def read_image(path: str) -> Image:

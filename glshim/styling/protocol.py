@@ -33,6 +33,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.geometry.lines import Choice
+from glshim.styling.pictures import Image, read_image
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
@@ -142,8 +143,6 @@ class Option:
 
     def _picture(self, text: str, folder: str) -> str:
         """The whole path of a picture, which can be read."""
-        from glshim.styling.pictures import read_image
-
         if not text:
             raise self._refuse(text)
         path = os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
@@ -251,15 +250,6 @@ class Shader:
     expand: Expand | None = None
     """`vertex` for OpenGL before 3.3, which has the `fragment` alone, as GLSL 1.20. None: there the
     shader draws nothing."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Image:
-    """A picture that strokes are drawn with. Compared by identity: keep it."""
-
-    pixels: NDArray[np.uint8]
-    """(H, W, 4) red, green, blue, alpha (straight), the first row on top. Columns run along a
-    stroke and repeat, rows across it, the last one inside a silhouette."""
 
 
 @dataclass(frozen=True, slots=True)

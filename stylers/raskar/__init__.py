@@ -15,7 +15,8 @@ from typing import ClassVar
 from glshim.geometry.chains import Pattern
 from glshim.geometry.lines import Choice
 from glshim.geometry.raskar import INWARD
-from glshim.styling.protocol import Colour, Draw, Image, Layer, Shader, Styler, Uniform, option
+from glshim.styling.pictures import Image
+from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
 from stylers.raskar import textures
 from stylers.raskar.expansion import expand
 

@@ -13,8 +13,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.styling.pictures import is_coloured, read_image
-from glshim.styling.protocol import Image
+from glshim.styling.pictures import Image, is_coloured, read_image
 
 Doubles = NDArray[np.float64]
 
