@@ -50,7 +50,8 @@ def scenes():
     yield "inside a cube", style, ((look.cube(), near),)
     plain = Camera(look.look_at((3, 2, 2)), LENS, PORT)
     # Asks for intersections, too, and has none.
-    yield "wide", Raskar(silhouette_width=12, ridge_width=9), ((look.cylinder(), plain),)
+    wide = Raskar(silhouette_width=12, ridge_width=9, intersections=True)  # unavailable on 2.1
+    yield "wide", wide, ((look.cylinder(), plain),)
     paper = dataclasses.replace(style, connectivity=False)
     for name, mesh in (("cube", look.cube()), ("star", star())):
         yield f"{name}, no polygon knows another", paper, ((mesh, plain),)

@@ -237,7 +237,8 @@ def test_the_pattern_does_not_jump_in_a_slow_turn(backend, name):
 
 def test_intersections_have_the_texture_too(backend):
     camera = camera_at(30, 30)
-    lone = {"silhouettes": False, "ridges": False, "valleys": False, "intersection_width": 6}
+    lone = {"silhouettes": False, "ridges": False, "valleys": False}
+    lone |= {"intersections": True, "intersection_width": 6}
     items = (look.cube(0.7), camera), (look.torus(), camera)
     _, whole, _ = look.styled(backend, Raskar(**lone), *items)
     _, dashed, _ = look.styled(backend, Raskar(**lone, texture="dashed", texture_on="all"), *items)
