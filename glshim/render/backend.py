@@ -53,7 +53,7 @@ class Backend:
         self._crossings = crossings
         self._harvest = Harvest(cache_bytes)
         self._depth = DepthCopy()
-        self._canvas = Canvas()
+        self._canvas = Canvas(modern=isinstance(pen, Pen))
         self._textures = Textures()
         self._layer: Layer | None = None
 

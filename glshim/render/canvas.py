@@ -24,12 +24,14 @@ _ADD, _MAX, _ONE, _REST = 0x8006, 0x8008, 1, 0x0303
 
 
 class Canvas:
-    """Colour (premultiplied) of at least a window's size. Use it inside the state guard."""
+    """Colour (premultiplied) of at least a window's size. Use it inside the state guard.
+    modern: the context has GLSL 1.30."""
 
-    def __init__(self) -> None:
+    def __init__(self, modern: bool) -> None:
         shaders = files(__package__) / "shaders"
         texts = (shaders / name for name in ("over.vert.glsl", "over.frag.glsl"))
-        self._over = compiled("over", *(text.read_text("utf-8") for text in texts))
+        head = f"#version {130 if modern else 120}\n"
+        self._over = compiled("over", *(head + text.read_text("utf-8") for text in texts))
         self._at = {
             name: int(gl.glGetUniformLocation(self._over, name.encode()))
             for name in ("ink", "box", "size", "tidy")

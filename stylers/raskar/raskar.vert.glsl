@@ -11,7 +11,7 @@ uniform float culling;     // whether lines that are not seen are left out here
 
 const float INWARD = 0.5;     // pixels by which the middle of a ring's inner rim lies inside
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
-const float LONGEST = 24.0;   // pixels of a line that is asked everywhere whether it is seen
+const float LONGEST = 8.0;    // pixels of a line that is asked everywhere whether it is seen
 const float STEEPEST = 600.0; // pixels' worth of depth a pixel at which slopes are cut
 
 // Normal of the plane that a line lies in. Eye space, all unit; sight is the direction from the
