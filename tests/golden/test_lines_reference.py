@@ -245,7 +245,7 @@ def test_coverage_is_what_the_gpu_draws(backend, name):
     inside = (centres > VIEW[:2]).all(axis=2)
     kinds = set()
     with Guard():
-        canvas, depth = Canvas(), DepthCopy()
+        canvas, depth = Canvas(modern=True), DepthCopy()
         depth.open(box, False)  # as empty as the far plane
         for row in np.flatnonzero(strokes.drawn):
             if records[row, 15] in kinds and row % 5:
