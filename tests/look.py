@@ -14,6 +14,7 @@ from pathlib import Path
 
 import glfw
 import numpy as np
+import pytest
 from OpenGL import GL
 
 from glshim.assembly.batch import PolygonBatch
@@ -179,6 +180,23 @@ def window(width=400, height=400, samples=0) -> Iterator[None]:
     finally:
         glfw.destroy_window(handle)
         glfw.terminate()
+
+
+@contextlib.contextmanager
+def multisampled(width=400, height=400, samples=4) -> Iterator[None]:
+    """A second window with several samples a pixel, current; skips where there is none."""
+    kept = glfw.get_current_context()
+    glfw.window_hint(glfw.SAMPLES, samples)
+    handle = glfw.create_window(width, height, "samples", None, None)
+    glfw.make_context_current(handle)
+    try:
+        if GL.glGetIntegerv(GL.GL_SAMPLES) < 2:
+            pytest.skip("no multisampled window here")
+        yield
+    finally:
+        glfw.make_context_current(kept)
+        glfw.destroy_window(handle)
+        glfw.window_hint(glfw.SAMPLES, 0)
 
 
 def clear(shade=(1.0, 1.0, 1.0)) -> None:

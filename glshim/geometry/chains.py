@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
+from glshim.geometry.edges import cell
 from glshim.geometry.screen import cut, window
+from glshim.geometry.vectors import unit
 
 Floats = NDArray[np.float32]
 Doubles = NDArray[np.float64]
@@ -45,13 +47,13 @@ def link(a: Floats, b: Floats) -> Indices:
     """
     following = np.full(len(a), -1, np.intp)
     low, extent = _box(a, b)
-    along = _unit(b.astype(np.float64) - a)
+    along = unit(b.astype(np.float64) - a)
     for cells, shift in _CELLS:
         lost = np.flatnonzero(following < 0)
         if not len(lost):
             break
-        begins = _names(a, low, (cells - 2) / extent, shift)
-        ends = _names(b[lost], low, (cells - 2) / extent, shift)
+        begins = cell(a, low, (cells - 2) / extent, shift)
+        ends = cell(b[lost], low, (cells - 2) / extent, shift)
         order = np.argsort(begins, kind="stable")
         ordered = begins[order]
         at = np.searchsorted(ordered, ends)
@@ -108,13 +110,13 @@ def _mates(a: Floats, b: Floats, *, directed: bool) -> Indices:
     same place that goes on straightest, -1 where none does; each other's. directed: b on a only."""
     count = len(a)
     low, extent = _box(a, b)
-    along = _unit(b.astype(np.float64) - a)
+    along = unit(b.astype(np.float64) - a)
     away = np.stack([along, -along], axis=1).reshape(-1, 3)
     ends = np.stack([a, b], axis=1).reshape(-1, 3)
     mates = np.full(2 * count, -1, np.intp)
     for cells, shift in _CELLS:
         lost = np.flatnonzero(mates < 0)
-        names = _names(ends[lost], low, (cells - 2) / extent, shift)
+        names = cell(ends[lost], low, (cells - 2) / extent, shift)
         order = np.argsort(names, kind="stable")
         names, lost = names[order], lost[order]
         found = [np.flatnonzero(names[k:] == names[:-k]) for k in range(1, _APART + 1)]
@@ -222,16 +224,7 @@ def _first_of(stroke: Indices) -> Indices:
 
 
 def _box(a: Floats, b: Floats) -> tuple[Doubles, float]:
+    """(1, 3) the least corner of lines a to b (L, 3), and their extent."""
     low = np.minimum(a.min(axis=0), b.min(axis=0)).astype(np.float64)
-    return low, float(max((np.maximum(a.max(axis=0), b.max(axis=0)) - low).max(), 1e-300))
-
-
-def _unit(vectors: Doubles) -> Doubles:
-    length = np.sqrt(np.einsum("li,li->l", vectors, vectors))[:, None]
-    return np.asarray(vectors / np.maximum(length, 1e-300))
-
-
-def _names(points: Floats, low: Doubles, scale: float, shift: float) -> Indices:
-    """(N,) one number for the cell of each point (N, 3)."""
-    x, y, z = ((points.astype(np.float64) - low) * scale + shift).astype(np.int64).T
-    return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
+    extent = (np.maximum(a.max(axis=0), b.max(axis=0)) - low).max()
+    return low[None], float(max(extent, 1e-300))

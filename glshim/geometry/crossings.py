@@ -19,8 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry import edges
-from glshim.geometry.edges import Doubles, Flags, Indices, _cross, _unit
+from glshim.geometry.edges import Doubles, Flags, Indices
 from glshim.geometry.lines import ASKEW, INTERSECTION, RECORD
+from glshim.geometry.vectors import cross, unit
 
 _PARALLEL = np.radians(0.5)
 """Angle between planes, radians, below which they have no line in common."""
@@ -73,7 +74,7 @@ def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None =
     sides = _sides(triangles)
     with np.errstate(invalid="ignore", over="ignore"):
         exact = np.asarray(triangles, np.float64)
-        area = np.abs(_cross(exact[:, 1] - exact[:, 0], exact[:, 2] - exact[:, 0])).max(axis=1)
+        area = np.abs(cross(exact[:, 1] - exact[:, 0], exact[:, 2] - exact[:, 0])).max(axis=1)
         sound = area > _SLIVER * _size(exact) ** 2
     # A triangle without area lies on a side twice, one without a place would spoil the rest.
     crowd = _pair(found, sides, np.flatnonzero(np.repeat(sound, 3)), None)
@@ -253,7 +254,7 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
     """How triangles (N, 3, 3) and (N, 3, 3) lie to each other."""
     with np.errstate(all="ignore"):
         normals = np.stack((_normals(first), _normals(second)))
-        along = _cross(normals[0], normals[1])
+        along = cross(normals[0], normals[1])
         sine = np.sqrt(np.einsum("ni,ni->n", along, along))
         along /= sine[:, None]
         # Distances of corners from the other plane; small means none.
@@ -275,7 +276,7 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         high = np.minimum(spans[0][1], spans[1][1])
         # Where the planes meet, nearest to base, which lies in the first.
         offset = -heights[0][:, 0] / sine
-        spot = base[:, 0] + offset[:, None] * _cross(along, normals[0])
+        spot = base[:, 0] + offset[:, None] * cross(along, normals[0])
         ends = spot[:, None] + np.stack((low, high), axis=1)[:, :, None] * along[:, None]
         small = slack.min(axis=0)
         same = np.ones((3, 3, len(first)), np.bool_)
@@ -322,8 +323,8 @@ def _halves(
     around (2, N): the two triangles at the line, or one twice: then the line is in its interior.
     """
     along, frame = met.along[rows], met.normals[0, rows]
-    upward = _cross(along, frame)
-    flat = _cross(along, met.normals[part, rows])
+    upward = cross(along, frame)
+    flat = cross(along, met.normals[part, rows])
     inside = around[0] == around[1]
     out = np.empty((2, len(rows)))
     for half, sign in ((0, 1.0), (1, -1.0)):
@@ -351,7 +352,7 @@ def _alternate(first: Doubles, second: Doubles) -> Flags:
 def _normals(triangles: Doubles) -> Doubles:
     """(N, 3) unit normals of triangles (N, 3, 3), by their winding."""
     corner = triangles[:, 0]
-    return _unit(_cross(triangles[:, 1] - corner, triangles[:, 2] - corner))
+    return unit(cross(triangles[:, 1] - corner, triangles[:, 2] - corner))
 
 
 def _size(triangles: Doubles) -> Doubles:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import cofactors
+from glshim.geometry.vectors import cross, unit
 
 Floats = NDArray[np.float32]
 Doubles = NDArray[np.float64]
@@ -103,7 +104,7 @@ class Edges:
         along = self.sides[first, 3:6].astype(np.float64) - self.sides[first, 0:3]
         if linear is not None:
             turn = cofactors(linear)
-            one, other = (_unit((turn @ normal[:, :, None])[:, :, 0]) for normal in (one, other))
+            one, other = (unit((turn @ normal[:, :, None])[:, :, 0]) for normal in (one, other))
             along = (linear @ along[:, :, None])[:, :, 0]
         return dihedral(along, one, other)
 
@@ -122,13 +123,8 @@ def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
     valley. All (N, 3), the normals unit; along is the shared side as the first polygon winds.
     """
     length = np.sqrt(np.einsum("ij,ij->i", along, along))
-    lift = np.einsum("ij,ij->i", along, _cross(first, second)) / np.maximum(length, 1e-300)
+    lift = np.einsum("ij,ij->i", along, cross(first, second)) / np.maximum(length, 1e-300)
     return np.asarray(np.pi - np.arctan2(lift, np.einsum("ij,ij->i", first, second)))
-
-
-def _unit(vectors: Doubles) -> Doubles:
-    length = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
-    return np.asarray(vectors / np.maximum(length, 1e-300)[:, None])
 
 
 def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
@@ -230,14 +226,14 @@ def _bent(points: Floats) -> tuple[Flags, Doubles]:
     of its own. And (P, 3) their unit normals (Newell)."""
     with np.errstate(invalid="ignore", over="ignore"):
         spokes = points[:, 1:].astype(np.float64) - points[:, :1]
-        cuts = [_cross(spokes[:, k], spokes[:, k + 1]) for k in range(spokes.shape[1] - 1)]
+        cuts = [cross(spokes[:, k], spokes[:, k + 1]) for k in range(spokes.shape[1] - 1)]
         normal = np.sum(cuts, axis=0)
         least = np.min([np.abs(cut).max(axis=1) for cut in cuts], axis=0)
         height = np.abs(np.einsum("pni,pi->pn", spokes, normal)).max(axis=1)
         reach = np.abs(spokes).max(axis=(1, 2))
         size = np.abs(normal).max(axis=1)
         bent = (height > _BENT * reach * size) & (least > _SLIVER * size)
-        return np.asarray(bent), _unit(normal)
+        return np.asarray(bent), unit(normal)
 
 
 def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices, normals: Doubles) -> _Group:
@@ -315,7 +311,7 @@ def _edge_keys(
 ) -> tuple[NDArray[np.int64], Flags]:
     """(E,) a number for the edge of each side, equal from either end, and the direction on it."""
     scale = (cells - 2) / extent
-    start, end = (_cell(sides[:, at : at + 3], low, scale, shift) for at in (0, 3))
+    start, end = (cell(sides[:, at : at + 3], low, scale, shift) for at in (0, 3))
     lesser, greater = np.minimum(start, end), np.maximum(start, end)
     # 126 bits folded into 64; the odd multiplier spreads them, a clash is one in 2^64.
     key = lesser * _SPREAD ^ (greater + (lesser >> np.int64(29)))
@@ -324,7 +320,9 @@ def _edge_keys(
     return key, start < end
 
 
-def _cell(points: Floats, low: Doubles, scale: Doubles, shift: float) -> NDArray[np.int64]:
+def cell(
+    points: Floats, low: Doubles, scale: Doubles | float, shift: float
+) -> NDArray[np.int64]:
     """(E,) one number for the cell of each point (E, 3)."""
     x, y, z = (((points[:, k] - low[:, k]) * scale + shift).astype(np.int64) for k in range(3))
     return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
@@ -374,18 +372,10 @@ def _area_vector(spokes: Doubles) -> Doubles:
     """Twice the area vectors of polygons (P, n, 3) about their centroids (Newell)."""
     size = spokes.shape[1]
     if size == 3:
-        return _cross(spokes[:, 1] - spokes[:, 0], spokes[:, 2] - spokes[:, 0])
+        return cross(spokes[:, 1] - spokes[:, 0], spokes[:, 2] - spokes[:, 0])
     if size == 4:
-        return _cross(spokes[:, 2] - spokes[:, 0], spokes[:, 3] - spokes[:, 1])
-    total = _cross(spokes[:, -1], spokes[:, 0])
+        return cross(spokes[:, 2] - spokes[:, 0], spokes[:, 3] - spokes[:, 1])
+    total = cross(spokes[:, -1], spokes[:, 0])
     for corner in range(size - 1):
-        total += _cross(spokes[:, corner], spokes[:, corner + 1])
+        total += cross(spokes[:, corner], spokes[:, corner + 1])
     return total
-
-
-def _cross(u: Doubles, v: Doubles) -> Doubles:
-    out = np.empty_like(u)
-    out[:, 0] = u[:, 1] * v[:, 2] - u[:, 2] * v[:, 1]
-    out[:, 1] = u[:, 2] * v[:, 0] - u[:, 0] * v[:, 2]
-    out[:, 2] = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
-    return out

@@ -12,6 +12,7 @@ from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, link, measure
 from glshim.geometry.edges import Doubles, Edges, Flags, Indices, neighbours
 from glshim.geometry.gather import Places
+from glshim.geometry.vectors import unit
 
 Floats = NDArray[np.float32]
 
@@ -19,14 +20,13 @@ RING, CONTOUR, HOLLOW, FIN, RIDGE, LONE_RIDGE, VALLEY, LONE_VALLEY, INTERSECTION
 OUTLINES = (RING, CONTOUR, HOLLOW, FIN)
 """Kinds of line.
 
-RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1), in the polygon's plane:
-at the foot of a box it lies on the floor.
-CONTOUR: the same where the surface turns away smoothly. The polygon's plane, steep on the screen,
-says nothing about what lies beside it: the line is as deep as its side.
+RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1) at a sharp edge. At the
+foot of a box it lies on the floor.
+CONTOUR: the same where the surface turns away smoothly.
 HOLLOW: the same where the fold is hollow on the winding side: hidden in a solid, seen in a sheet or
 where the windings are inside out, so only well before what lies behind it.
-FIN: the outline of an open side. It leans back so steeply that nearly every surface near the side
-hides it: a neighbour may be there after all (a seam, a T-junction).
+FIN: the outline of an open side, but not where what is drawn beside it meets it: a neighbour may be
+there after all (a seam, a T-junction).
 RIDGE, VALLEY: an edge whose two polygons are known to fold below or above the threshold.
 LONE_RIDGE (2.2), LONE_VALLEY (2.3): the quad at the threshold angle, where no neighbour is known:
 depth decides.
@@ -100,7 +100,7 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
         found = _together(seams, seen, choice) + _alone(seams.singles, seen, choice)
         records.append(seen.records(found))
     whole = np.concatenate(records) if records else np.empty((0, RECORD), np.float32)
-    outlines = np.flatnonzero(np.isin(whole[:, 15], OUTLINES))
+    outlines = np.flatnonzero(whole[:, 15] <= FIN)
     if len(outlines):
         following = link(whole[outlines, 0:3], whole[outlines, 3:6])
         goes_on = following >= 0
@@ -163,33 +163,32 @@ class _Seen:
         records = np.empty((count, RECORD), np.float32)
         if not count:
             return records
-        found = [(kind, *self._ordered(sides, others)) for kind, sides, others in found]
         sides = np.concatenate([sides for _, sides, _ in found])
-        ends, normals = self._ends(sides), self._normals(sides)
-        turned = ~self.ccw[sides]
-        ends[turned] = ends[turned, ::-1]
-        normals[turned] *= -1.0
-        records[:, 0:6] = ends.reshape(-1, 6)
-        records[:, 6:9] = ends[:, 1]
-        records[:, 9:12] = normals
-        records[:, 12:15] = 0.0
-        records[:, 16:18] = 0.0
+        normals, beyond = self._normals(sides), np.zeros((count, 3))
         at = 0
         for kind, some, others in found:
             part = slice(at, at + len(some))
             records[part, 15] = kind
             if others is not None:
-                records[part, 12:15] = self._normals(others)
+                # In an order that their place alone decides: which of the two polygons of an edge
+                # came first makes no difference, to the last bit.
+                own, other = normals[part], self._normals(others)
+                later = own @ ASKEW < other @ ASKEW
+                sides[part] = np.where(later, others, some)
+                swapped = later[:, None]
+                normals[part], beyond[part] = (
+                    np.where(swapped, other, own), np.where(swapped, own, other)
+                )  # fmt: skip
             at += len(some)
+        ends, turned = self._ends(sides), ~self.ccw[sides]
+        ends[turned] = ends[turned, ::-1]
+        normals[turned] *= -1.0
+        records[:, 0:6] = ends.reshape(-1, 6)
+        records[:, 6:9] = ends[:, 1]
+        records[:, 9:12] = normals
+        records[:, 12:15] = beyond
+        records[:, 16:18] = 0.0
         return records
-
-    def _ordered(self, sides: Indices, others: Indices | None) -> tuple[Indices, Indices | None]:
-        """Both sides of edges, in an order that their place alone decides: which polygon came
-        first makes no difference, to the last bit."""
-        if others is None:
-            return sides, None
-        later = self._normals(sides) @ ASKEW < self._normals(others) @ ASKEW
-        return np.where(later, others, sides), np.where(later, sides, others)
 
     def _ends(self, sides: Indices) -> Floats:
         """(N, 2, 3) both ends in eye space."""
@@ -211,8 +210,7 @@ class _Seen:
         moved = (turn[0] @ normals if len(turn) == 1 else turn[self._owners(sides)] @ normals)[
             ..., 0
         ]
-        length = np.sqrt(np.einsum("li,li->l", moved, moved))
-        return np.asarray(moved / np.maximum(length, 1e-300)[:, None])
+        return unit(moved)
 
     def _owners(self, sides: Indices) -> NDArray[np.int32]:
         return self._places.polygon[self.edges.polygon[sides]]

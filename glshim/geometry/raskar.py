@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from glshim.geometry.camera import Camera
 from glshim.geometry.lines import CONTOUR, FIN, HOLLOW, LONE_RIDGE, LONE_VALLEY, OUTLINES
 from glshim.geometry.screen import cut, window
+from glshim.geometry.vectors import dot, unit
 
 Doubles = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -91,15 +92,15 @@ def strokes(
     ends, whole_b, drawn = cut(rows[:, 0:3], rows[:, 3:6], camera)
     start, finish = (window(end, camera) for end in ends)
     along = (finish - start)[:, :2]
-    drawn &= _dot(along, along) >= 1e-6
-    along = _unit(along)
+    drawn &= dot(along, along) >= 1e-6
+    along = unit(along)
 
-    sight = _unit(camera.viewpoint[:3] - camera.viewpoint[3] * ends[0])
-    side = _unit(ends[1] - ends[0])
+    sight = unit(camera.viewpoint[:3] - camera.viewpoint[3] * ends[0])
+    side = unit(ends[1] - ends[0])
     own, other = rows[:, 9:12], rows[:, 12:15]
     angle = np.where(kind == LONE_VALLEY, valley_angle, ridge_angle)
     plane = line_planes(kind, side, own, sight, angle)
-    turned = _dot(plane, sight)
+    turned = dot(plane, sight)
     drawn &= ~(lone & (np.abs(turned) < EDGE_ON))
     drawn &= ~((kind == LONE_RIDGE) & (turned < 0.0) & (np.sin(angle) >= 0.0))
 
@@ -112,16 +113,16 @@ def strokes(
 
     following = window(cut(rows[:, 6:9], rows[:, 3:6], camera)[0][0], camera)
     onwards = (following - finish)[:, :2]
-    long = (_dot(onwards, onwards) >= 1e-6) & whole_b & outline
-    onwards = _unit(onwards)
+    long = (dot(onwards, onwards) >= 1e-6) & whole_b & outline
+    onwards = unit(onwards)
     turn = along[:, 0] * onwards[:, 1] - along[:, 1] * onwards[:, 0]
-    outer = (turn > 0.0) | ((turn > -1e-3) & (_dot(along, onwards) < 0.0))
+    outer = (turn > 0.0) | ((turn > -1e-3) & (dot(along, onwards) < 0.0))
     onwards = np.where((long & outer)[:, None], onwards, 0.0)
 
     widths = np.array([*[silhouette_width] * len(OUTLINES), ridge_width, ridge_width,
                        valley_width, valley_width, intersection_width])[kind]  # fmt: skip
     inwards = np.where(outline, INWARD, widths / 2.0)
-    steep = np.where(lone, np.sqrt(_dot(slopes[:, :2], slopes[:, :2])), deep)
+    steep = np.where(lone, np.sqrt(dot(slopes[:, :2], slopes[:, :2])), deep)
     length = np.hypot(*(finish - start)[:, :2].T)
     leaning = np.abs(finish[:, 2] - start[:, 2]) / np.maximum(length, 1e-30)
     slack = np.select(
@@ -139,14 +140,14 @@ def quads(strokes: Strokes) -> Doubles:
     """(L, 4, 2) pixels of the framebuffer: strips around all that strokes may ink, a pixel beyond
     it, round at the ends of what is not an outline."""
     a, b = strokes.start[:, :2], strokes.finish[:, :2]
-    along = _unit(b - a)
+    along = unit(b - a)
     outwards = np.c_[along[:, 1], -along[:, 0]]
     corner = strokes.onwards.any(axis=1)
     reach = strokes.extent[:, 1] + 1.0
     flat = np.isin(strokes.extent[:, 2], OUTLINES)
     behind = np.where(flat, 1.0, reach)
     beyond = np.where(flat & ~corner, 1.0, reach)
-    sharp = corner & (_dot(along, strokes.onwards) < 0.0)
+    sharp = corner & (dot(along, strokes.onwards) < 0.0)
     inner = np.where(sharp, -reach, strokes.extent[:, 0] - 1.0)
     ends = (a - behind[:, None] * along, b + beyond[:, None] * along)
     rims = [offset[:, None] * outwards for offset in (inner, reach)]
@@ -162,9 +163,9 @@ def line_planes(
     with N towards the viewer (2.2, 2.3). along, normal (of the winding along a to b) and
     sight (from the side to the viewer): (L, 3), unit; angle: (L,) t in radians.
     """
-    outward = _unit(np.cross(along, normal))
+    outward = unit(np.cross(along, normal))
     upright = np.cross(outward, along)
-    towards = upright * np.where(_dot(upright, sight) < 0.0, -1.0, 1.0)[:, None]
+    towards = upright * np.where(dot(upright, sight) < 0.0, -1.0, 1.0)[:, None]
     quad = np.sin(angle)[:, None] * outward - np.cos(angle)[:, None] * towards
     kinds = kind[:, None]
     lone = (kinds == LONE_RIDGE) | (kinds == LONE_VALLEY)
@@ -174,7 +175,7 @@ def line_planes(
 def depth_slope(normal: Doubles, point: Doubles, camera: Camera) -> Doubles:
     """(L, 2) window depth per pixel over planes through eye-space points (L, 3)."""
     near, far = camera.depth_range
-    plane = np.c_[normal, -_dot(normal, point)] @ np.linalg.inv(camera.projection)
+    plane = np.c_[normal, -dot(normal, point)] @ np.linalg.inv(camera.projection)
     z = np.where(np.abs(plane[:, 2:3]) < 1e-20, 1e-20, plane[:, 2:3])
     return np.asarray(-plane[:, :2] / z * (far - near) / np.array(camera.viewport[2:]))
 
@@ -182,13 +183,13 @@ def depth_slope(normal: Doubles, point: Doubles, camera: Camera) -> Doubles:
 def pixel_depth(point: Doubles, along: Doubles, camera: Camera) -> Doubles:
     """(L,) window depth between the near and the far end of a pixel's size along the line of sight:
     what a plane at 45 degrees to it gains in a pixel. Eye-space points and unit sides (L, 3)."""
-    sight = _unit(camera.viewpoint[3] * point - camera.viewpoint[:3])
-    across = _unit(np.cross(sight, along))
+    sight = unit(camera.viewpoint[3] * point - camera.viewpoint[:3])
+    across = unit(np.cross(sight, along))
     turn, here = camera.projection[:, :3].T, np.c_[point, np.ones(len(point))] @ camera.projection.T
     w = here[:, 3:]
     deeper, aside = ((d @ turn) * w - here * (d @ turn)[:, 3:] for d in (sight, across))
     half = np.array(camera.viewport[2:]) / 2.0
-    pixels = np.sqrt(_dot(aside[:, :2] * half, aside[:, :2] * half))
+    pixels = np.sqrt(dot(aside[:, :2] * half, aside[:, :2] * half))
     near, far = camera.depth_range
     return np.asarray(np.abs(deeper[:, 2] * (far - near)) / 2.0 / np.maximum(pixels, 1e-30))
 
@@ -214,14 +215,5 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
 
 
 def _bounded(slope: Doubles, deep: Doubles) -> Doubles:
-    size = np.sqrt(_dot(slope, slope))
+    size = np.sqrt(dot(slope, slope))
     return np.asarray(slope * np.minimum(1.0, STEEPEST * deep / np.maximum(size, 1e-30))[:, None])
-
-
-def _dot(u: Doubles, v: Doubles) -> Doubles:
-    return np.asarray(np.einsum("ij,ij->i", u, v))
-
-
-def _unit(vectors: Doubles) -> Doubles:
-    length = np.sqrt(_dot(vectors, vectors))[:, None]
-    return np.asarray(vectors / np.maximum(length, 1e-300))

@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable
 from dataclasses import replace
 from math import isfinite
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
+from glshim.render.depth import UNIT as DEPTH_UNIT
+from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
+from glshim.render.textures import STROKE_UNIT
 from glshim.styling.protocol import Draw
 
 _STENCIL_TEST = 0x0B90
@@ -103,6 +107,19 @@ def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
     if camera.clip_planes:
         found["clip_planes"] = np.array(camera.clip_planes[:MOST_CLIP_PLANES])
     return found
+
+
+def inputs_of(
+    camera: Camera, depth: DepthCopy, *, away: float, hair: float
+) -> dict[str, Any] | None:
+    """The uniforms of the preludes of line shaders: those of `view_of`, and the finished depth."""
+    view = view_of(camera)
+    if view is None:
+        return None
+    return view | {
+        "away": away, "hair": hair, "blur": depth.blur, "finished_depth": DEPTH_UNIT,
+        "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
+    }  # fmt: skip
 
 
 def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:

@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
 from glshim.notices import say_once
-from glshim.render.cameras import view_of
-from glshim.render.depth import UNIT, DepthCopy
+from glshim.render.cameras import inputs_of
+from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl, integer
 from glshim.render.programs import compiled
-from glshim.render.textures import STROKE_UNIT
 from glshim.spec.context import MODERN
 from glshim.styling.protocol import Expansion, Shader, Uniform
 
@@ -79,10 +78,10 @@ class LegacyPen:
     ) -> None:
         """Ink into the framebuffer that is bound. The camera's depth range is turned by away; hair
         is in window depth."""
-        view = view_of(camera)
+        inputs = inputs_of(camera, depth, away=away, hair=hair)
         if shader.expand is None:
             say_once("style shader {!r} needs OpenGL {}.{}".format(shader.name, *MODERN))
-        if view is None or shader.expand is None:
+        if inputs is None or shader.expand is None:
             return
         gl.glViewport(*camera.viewport)
         gl.glBindBuffer(_ARRAY_BUFFER, 0)
@@ -94,11 +93,7 @@ class LegacyPen:
                 continue
             program = self._program(shader, found)
             gl.glUseProgram(program.name)
-            program.set(view)
-            program.set({
-                "away": away, "hair": hair, "blur": depth.blur, "finished_depth": UNIT,
-                "depth_size": depth.size, "stroke": STROKE_UNIT,
-            })  # fmt: skip
+            program.set(inputs)
             program.set(uniforms)
             _draw(found, camera)
 

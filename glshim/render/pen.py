@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.lines import RECORD
-from glshim.render.cameras import MOST_CLIP_PLANES, view_of
-from glshim.render.depth import UNIT, DepthCopy
+from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of
+from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
-from glshim.render.textures import STROKE_UNIT
 from glshim.styling.protocol import Shader, Uniform
 
 _SHADERS = files(__package__) / "shaders"
@@ -136,16 +135,12 @@ class Pen:
         varyings: tuple[str, ...] = (),
     ) -> _Program | None:
         """The program of a shader with its uniforms set; None where the camera sees nothing."""
-        view = view_of(camera)
-        if view is None:
+        inputs = inputs_of(camera, depth, away=away, hair=hair)
+        if inputs is None:
             return None
         planes = min(len(camera.clip_planes), MOST_CLIP_PLANES)
         program = self._program(shader, planes, varyings)
-        program.set(view)
-        program.set({
-            "away": away, "hair": hair, "blur": depth.blur, "finished_depth": UNIT,
-            "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
-        })  # fmt: skip
+        program.set(inputs)
         program.set(uniforms)
         return program
 

@@ -113,7 +113,6 @@ class Raskar(Styler):
             "widths": self._widths,
             "ridge_turn": (cos(ridge), sin(ridge)),
             "valley_turn": (cos(valley), sin(valley)),
-            "culling": 1.0,
             "ink": self.ink,
             "textured": float(pattern is not None),
             "stroke_ink": stroke_ink,

@@ -9,7 +9,7 @@ uniform vec3 stroke_ink;      // multiplies it
 
 const float JOINT = 0.02;     // pixels by which strokes of a chain overlap against rounding
 const float LEAN = 1.5;       // pixels' worth of depth by which a line comes nearer in each pixel
-const float STEEPEST = 10.0;  // the same over the walls of a valley
+const float WALL = 10.0;      // the same over the walls of a valley
 
 // Share of a pixel off the line by s outwards, by past beyond its ends, that the stroke covers.
 float covered(float s, float past, vec2 from_b) {
@@ -49,7 +49,7 @@ void main() {
         vec2 aside = gl_FragCoord.xy - place.xy;
         float nearest = place.z + min(surface(aside), 0.0) - grain.y;
         bool wall = kind == LONE_VALLEY || kind == VALLEY;
-        nearest -= (wall ? STEEPEST : LEAN) * grain.x * off;
+        nearest -= (wall ? WALL : LEAN) * grain.x * off;
         float floor_there = place.z + dot(slopes.xy, aside) - 0.1 * length(slopes.xy) - hair;
         if (kind == RING) nearest = min(nearest, floor_there);
         if (finished(gl_FragCoord.xy) < nearest) discard;

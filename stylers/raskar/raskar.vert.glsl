@@ -7,7 +7,6 @@
 uniform vec4 widths;       // of silhouettes, ridges, valleys, intersections
 uniform vec2 ridge_turn;   // cosine and sine of the threshold angle
 uniform vec2 valley_turn;
-uniform float culling;     // whether lines that are not seen are left out here
 
 const float INWARD = 0.5;     // pixels by which the middle of a ring's inner rim lies inside
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
@@ -31,7 +30,7 @@ vec2 bounded(vec2 slope, float most) {
 
 // False when a short line is seen at none of its pixels: most lines behind others go here.
 bool seen_somewhere() {
-    if (span > LONGEST || culling == 0.0) return true;
+    if (span > LONGEST) return true;
     for (float t = 0.5 * min(span, 1.0); t < span + 1.0; t += 1.0)
         if (seen_at(min(t, span))) return true;
     return false;
@@ -62,7 +61,9 @@ void main() {
 
     float deep = pixel_depth(eye_a, side);
     slopes.xy = bounded(depth_slope(plane, eye_a), STEEPEST * deep);
-    slopes.zw = edge_other == vec3(0.0) ? slopes.xy : bounded(depth_slope(edge_other, eye_a), STEEPEST * deep);
+    slopes.zw = slopes.xy;
+    if (edge_other != vec3(0.0))
+        slopes.zw = bounded(depth_slope(edge_other, eye_a), STEEPEST * deep);
 
     if (outline && eye_b == edge_b) {
         vec3 eye_c = edge_c, from_b = edge_b;

@@ -1,7 +1,7 @@
 // What:   a stroke, as the vertex shader makes it, and whether its line is seen at a place along it:
 //         the layer's finished depth is asked beside it.
 // Inputs: finished depth (depth.glsl). For both stages, GLSL 1.20 too.
-// Source: Raskar 2001, sections 2.1 to 2.4; the between-test is `lies_between`.
+// Source: Raskar 2001, sections 2.1 to 2.4; the between-test is in `seen_alone`.
 
 PASSED vec3 line_a;   // pixels of the framebuffer, depth (greater is farther)
 PASSED vec3 line_b;
@@ -42,8 +42,8 @@ float surface(vec2 off) {
 }
 
 // Whether what is drawn in the pixel beside a place is no nearer than the side.
-bool clear_beside(vec3 place, vec2 outwards) {
-    vec2 centre = beyond(place.xy, outwards);
+bool clear_beside(vec3 place) {
+    vec2 centre = beyond(place.xy, out_1);
     return finished(centre) - place.z >= level(centre - place.xy) - grain.y;
 }
 
@@ -98,16 +98,20 @@ bool seen_at(float t) {
         int right = shown_beside(place, out_1);
         return right == 3 || right + shown_beside(place, -out_1) >= 3;
     }
-    bool here = clear_beside(place, out_1);
+    bool here = clear_beside(place);
     if (kind == RING) return here || stands_out(place, 0.0);
     // Two pixels beside a smooth contour: flaps of the mesh stand out less.
-    return here && clear_beside(place + vec3(out_1, 0.0), out_1) || stands_out(place, -grain.y);
+    return here && clear_beside(place + vec3(out_1, 0.0)) || stands_out(place, -grain.y);
 }
 
-// Most of five places along the line: no dots, no holes of two pixels.
+// Most of five places along the line: no dots, no holes of two pixels. A loop, since drivers in
+// software leave loops early but walk through every branch.
 bool seen(float t) {
-    bool here = seen_at(t), before = seen_at(t - 1.0), after = seen_at(t + 1.0);
-    if (here == before && here == after) return here;
-    int count = int(here) + int(before) + int(after);
-    return count + int(seen_at(t - 2.0)) + int(seen_at(t + 2.0)) > 2;
+    float balance = 0.0, aside = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        balance += seen_at(t + aside) ? 1.0 : -1.0;
+        if (abs(balance) > float(4 - i)) break;
+        aside = aside < 0.0 ? -aside : -aside - 1.0;
+    }
+    return balance > 0.0;
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import ctypes
 
-import glfw
 import numpy as np
 import pytest
 from OpenGL import GL
@@ -201,19 +200,9 @@ def test_several_samples_a_pixel(backend):
     box, ground = look.cube(), floor(stands())
     camera = Camera(look.look_at((3, 2, 2.5)), look.perspective(), PORT)
     single = look.styled(backend, STYLE, (ground, camera), (box, camera))[1]
-    kept = glfw.get_current_context()
-    glfw.window_hint(glfw.SAMPLES, 4)
-    handle = glfw.create_window(SIZE, SIZE, "samples", None, None)
-    glfw.make_context_current(handle)
-    try:
-        if GL.glGetIntegerv(GL.GL_SAMPLES) < 2:
-            pytest.skip("no multisampled window here")
+    with look.multisampled(SIZE, SIZE):
         several = look.styled(Backend.attach(), STYLE, (ground, camera), (box, camera))[1]
         assert gl.glGetError() == 0
-    finally:
-        glfw.make_context_current(kept)
-        glfw.destroy_window(handle)
-        glfw.window_hint(glfw.SAMPLES, 0)
     dark = np.argwhere((single < 60).all(axis=2)[1:-1, 1:-1]) + 1
     around = np.min([several[dark[:, 0] + i, dark[:, 1] + j].max(axis=1)
                      for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)  # fmt: skip

@@ -127,7 +127,9 @@ def test_gpu_strokes_are_the_reference(backend, camera, angle, name):
     """All that the vertex shader gives, as near as rounding the inputs to float32 lets it be."""
     angle = np.radians(angle)
     records = records_of(look.MESHES[name](), camera, angle)
-    found = backend.pen.varyings(records, camera, SHADER, uniforms_of(angle), OUTPUTS, hair=HAIR)
+    found = backend.pen.varyings(
+        records, camera, everywhere(SHADER), uniforms_of(angle), OUTPUTS, hair=HAIR
+    )
     drawn, wanted = reference(records, camera, angle)
     assert drawn.sum() > 10
     rng = np.random.default_rng(1)

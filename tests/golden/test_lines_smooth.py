@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import glfw
+from itertools import combinations
+
 import numpy as np
 import pytest
 from OpenGL import GL
@@ -99,6 +100,25 @@ def test_what_the_app_draws_first_does_not_matter(backend):
     assert max(np.abs(picture - pictures[0]).max() for picture in pictures) <= 1
 
 
+@pytest.mark.parametrize("eye", VIEWS)
+def test_features_work_alone_and_with_any_other(backend, eye):
+    """The picture of any of them together has at each pixel the darkest of theirs alone."""
+    points, polygons = scene()
+    item = (look.batch(points, polygons), Camera(look.look_at(eye), look.perspective(), PORT))
+    names = ("silhouettes", "ridges", "valleys", "intersections")
+    pictures = {}
+    for count in range(1, 5):
+        for some in combinations(names, count):
+            style = Raskar(**{name: name in some for name in names})
+            pictures[some] = look.styled(backend, style, item)[1].astype(int)
+    # Specks are removed from the whole canvas: what is one alone may join another kind's line.
+    for some, found in pictures.items():
+        darkest = np.min([pictures[(name,)] for name in some], axis=0)
+        apart = np.abs(found - darkest).max(axis=2) > 1
+        assert apart.sum() <= 12, (some, apart.sum())
+        assert (found <= darkest + 1).all()
+
+
 def backgrounds():
     rng = np.random.default_rng(3)
     yield np.full((SIZE, SIZE, 3), 255)
@@ -162,18 +182,8 @@ def test_a_multisampled_window_gets_the_same_lines(backend):
     mesh, camera = look.cube(), Camera(look.look_at((3, 2, 2.5)), look.perspective(), PORT)
     style = Raskar(silhouette_width=3, ridge_width=3)
     single = ink_of(backend, mesh, camera, style)
-    kept = glfw.get_current_context()
-    glfw.window_hint(glfw.SAMPLES, 4)
-    handle = glfw.create_window(SIZE, SIZE, "samples", None, None)
-    glfw.make_context_current(handle)
-    try:
-        if GL.glGetIntegerv(GL.GL_SAMPLES) < 2:
-            pytest.skip("no multisampled window here")
+    with look.multisampled(SIZE, SIZE):
         several = ink_of(Backend.attach(), mesh, camera, style)
-    finally:
-        glfw.make_context_current(kept)
-        glfw.destroy_window(handle)
-        glfw.window_hint(glfw.SAMPLES, 0)
     apart = np.abs(single - several)
     assert (apart > 0.05).mean() < 1e-3 and (apart > 0.5).sum() <= 2, apart.max()
 
