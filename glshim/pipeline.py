@@ -9,6 +9,7 @@ from .capture import frames
 from .capture.clibraries import C_LIBRARIES
 from .capture.raw import RAW
 from .capture.recorder import RECORDER
+from .capture.state import light
 from .capture.watch import WATCH
 from .errors import RenderError
 from .following.follower import Follower
@@ -74,7 +75,7 @@ class Pipeline:
         items = scene.layer.take()
         if not items:
             return
-        draws = list(self.styler.draws(Layer(items)))
+        draws = list(self.styler.draws(Layer(items, light())))
         if not draws:
             return
         try:

@@ -43,6 +43,7 @@ _MODELVIEW_BYTES = 64
 _COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)
 
 _CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
+_LIGHT_0, _POSITION = 0x4000, 0x1203
 _LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
@@ -201,6 +202,14 @@ def _clip_planes(enabled: tuple[int, ...]) -> tuple[tuple[float, float, float, f
             gl.glGetClipPlane(0x3000 + i, equation)
             found.append((equation[0], equation[1], equation[2], equation[3]))
     return tuple(found)
+
+
+def light() -> tuple[float, float, float, float]:
+    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0. It stays
+    there when lighting is off."""
+    place = (ctypes.c_float * 4)()
+    gl.glGetLightfv(_LIGHT_0, _POSITION, ctypes.addressof(place))
+    return place[0], place[1], place[2], place[3]
 
 
 def unsupported() -> str:

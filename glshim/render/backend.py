@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from itertools import groupby
 
 import moderngl
 import numpy as np
 
+from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
+from glshim.geometry.camera import Camera
 from glshim.geometry.lines import lay_pattern
 from glshim.notices import say_once
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
@@ -20,9 +23,11 @@ from glshim.render.guard import Guard, drain, possible
 from glshim.render.harvest import Harvest
 from glshim.render.laying import Layer
 from glshim.render.legacy import LegacyPen
+from glshim.render.passes import Runner
 from glshim.render.pen import Pen
 from glshim.render.textures import Textures
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
+from glshim.styling.passes import Pass
 from glshim.styling.protocol import Draw
 
 _OFF = (  # what would change or drop the ink: each is enabled by some app
@@ -45,6 +50,9 @@ _LAID_BITS = 24
 """Bits of the depth buffer that stands in where a window has none."""
 
 
+Item = tuple[PolygonBatch, Camera]
+
+
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
@@ -56,6 +64,8 @@ class Backend:
         self._canvas = Canvas(modern=isinstance(pen, Pen))
         self._textures = Textures()
         self._layer: Layer | None = None
+        self._runner: Runner | None = None
+        self._cache_bytes = cache_bytes
 
     @classmethod
     def attach(cls, *, cache_bytes: int = 256 << 20, ring_bytes: int = 8 << 20) -> Backend:
@@ -83,7 +93,7 @@ class Backend:
                 text = f"no drawing in this context ({version_text()}): {error}"
                 raise RenderError(text) from error
 
-    def render(self, draws: Iterable[Draw]) -> None:
+    def render(self, draws: Iterable[Draw | Pass]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
         Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
@@ -93,10 +103,13 @@ class Backend:
         self._harvest.tick()
         if self._crossings is not None:
             self._crossings.tick()
-        groups = grouped(draws)
-        if not groups or not possible():
+        if self._runner is not None:
+            self._runner.residents.tick()
+        runs = _runs(draws)
+        items = [item for run in runs for item in run.items]
+        if not items or not possible():
             return
-        box = box_of(draw.camera for group in groups for draw in group)
+        box = box_of(camera for _, camera in items)
         if not box[2] or not box[3]:
             return
         with Guard():
@@ -110,18 +123,36 @@ class Backend:
             gl.glStencilMask(0)
             gl.glColorMask(1, 1, 1, 1)
             gl.glPolygonMode(0x0408, 0x1B02)
-            self._take_depth(groups, box, bits, greater)
-            # The app's stencil test holds where the ink goes over its picture.
-            for _, alike in groupby(groups, key=lambda group: group[0].camera.stencil):
-                self._ink(list(alike), window, box, bits or _LAID_BITS, greater)
+            self._take_depth(items, box, bits, greater)
+            bits = bits or _LAID_BITS
+            for run in runs:
+                if run.passes:
+                    self._run(run.passes, window, box, bits, greater)
+                # The app's stencil test holds where the ink goes over its picture.
+                for _, alike in groupby(run.lines, key=lambda group: group[0].camera.stencil):
+                    self._ink(list(alike), window, box, bits, greater)
 
-    def _take_depth(self, groups: list[list[Draw]], box: Box, bits: int, greater: bool) -> None:
+    def _run(
+        self, passes: list[Pass], window: int, box: Box, bits: int, greater: bool
+    ) -> None:
+        """Passes in turn, laid over the window."""
+        if isinstance(self.pen, LegacyPen):
+            say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
+            return
+        if self._runner is None:
+            self._runner = Runner(self.pen.context, self._cache_bytes)
+        self._runner.run(
+            passes, window, box, self._depth, self._textures,
+            greater=greater, hair=hair_of(bits),
+        )  # fmt: skip
+
+    def _take_depth(self, items: list[Item], box: Box, bits: int, greater: bool) -> None:
         """Have the layer's finished depth in a texture."""
         if bits and self._depth.take(box, bits):
             return
         if self._layer is None:
             self._layer = Layer()
-        self._layer.lay((draw for group in groups for draw in group), self._depth, box, greater)
+        self._layer.lay(items, self._depth, box, greater)
 
     def _ink(
         self, groups: list[list[Draw]], window: int, box: Box, bits: int, greater: bool
@@ -151,3 +182,28 @@ class Backend:
         stencil(groups[0][0].camera)
         tidy = all(group[0].image is None for group in groups)
         self._canvas.put_over(window, box, tidy=tidy)
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """Draws, or passes, that follow each other."""
+
+    lines: list[list[Draw]]
+    """Those that one GL draw can serve together."""
+    passes: list[Pass]
+
+    @property
+    def items(self) -> list[Item]:
+        """All batches, each with its camera."""
+        lines = [(draw.batch, draw.camera) for group in self.lines for draw in group]
+        bodies = (body for one in self.passes for body in one.bodies)
+        return lines + [(batch, body.camera) for body in bodies for batch in body.batches]
+
+
+def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
+    found: list[_Run] = []
+    for _, alike in groupby(draws, key=type):
+        run = list(alike)
+        lines = grouped(one for one in run if isinstance(one, Draw))
+        found.append(_Run(lines, [one for one in run if isinstance(one, Pass)]))
+    return found

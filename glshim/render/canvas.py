@@ -36,7 +36,8 @@ class Canvas:
             name: int(gl.glGetUniformLocation(self._over, name.encode()))
             for name in ("ink", "box", "size", "tidy")
         }
-        self._size = (0, 0)
+        self.size = (0, 0)
+        """Pixels."""
         self._framebuffer, self._texture = _name("glGenFramebuffers"), _name("glGenTextures")
 
     def open(self, box: Box) -> None:
@@ -45,8 +46,8 @@ class Canvas:
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
         gl.glBindTexture(_TEXTURE_2D, self._texture)
         gl.glBindFramebuffer(_FRAMEBUFFER, self._framebuffer)
-        if x + width > self._size[0] or y + height > self._size[1]:
-            self._resize(max(x + width, self._size[0]), max(y + height, self._size[1]))
+        if x + width > self.size[0] or y + height > self.size[1]:
+            self._resize(max(x + width, self.size[0]), max(y + height, self.size[1]))
         gl.glDisable(_DEPTH_TEST)
         gl.glEnable(_SCISSOR_TEST)
         gl.glScissor(*box)
@@ -65,14 +66,14 @@ class Canvas:
         gl.glEnable(_BLEND)
         gl.glBlendEquation(_ADD)
         gl.glBlendFunc(_ONE, _REST)
-        gl.glViewport(0, 0, *self._size)
+        gl.glViewport(0, 0, *self.size)
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
         gl.glBindTexture(_TEXTURE_2D, self._texture)
         gl.glUseProgram(self._over)
         x, y, width, height = box
         gl.glUniform1i(self._at["ink"], _UNIT)
         gl.glUniform4f(self._at["box"], x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)
-        gl.glUniform2f(self._at["size"], *map(float, self._size))
+        gl.glUniform2f(self._at["size"], *map(float, self.size))
         gl.glUniform1f(self._at["tidy"], float(tidy))
         # One triangle over everything, in calls that every version has.
         gl.glBegin(0x0004)
@@ -81,7 +82,7 @@ class Canvas:
         gl.glEnd()
 
     def _resize(self, width: int, height: int) -> None:
-        self._size = (width, height)
+        self.size = (width, height)
         gl.glBindBuffer(_UNPACK_BUFFER, 0)
         gl.glTexImage2D(_TEXTURE_2D, 0, _RGBA_8, width, height, 0, _RGBA, _BYTE, None)
         for parameter in (0x2801, 0x2800):

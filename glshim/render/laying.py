@@ -10,16 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
+from glshim.geometry.camera import Camera
 from glshim.render.cameras import MOST_CLIP_PLANES, scissor
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.programs import compiled
 from glshim.spec.context import has_vertex_arrays
-from glshim.styling.protocol import Draw
 
 _TRIANGLES, _FLOAT = 0x0004, 0x1406
 _ARRAY_BUFFER, _DEPTH_TEST, _SCISSOR_TEST = 0x8892, 0x0B71, 0x0C11
 _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
+Item = tuple[PolygonBatch, Camera]
 
 
 def triangles(batch: PolygonBatch) -> NDArray[np.float32]:
@@ -44,8 +45,8 @@ class Layer:
             for name in ("modelview", "projection", "planes")
         }
 
-    def lay(self, draws: Iterable[Draw], depth: DepthCopy, box: Box, greater: bool) -> None:
-        """Fill a depth copy with the polygons of draws, in a box of the framebuffer. greater:
+    def lay(self, items: Iterable[Item], depth: DepthCopy, box: Box, greater: bool) -> None:
+        """Fill a depth copy with the polygons of items, in a box of the framebuffer. greater:
         farther is less depth."""
         depth.open(box, greater)
         gl.glEnable(_DEPTH_TEST)
@@ -56,8 +57,8 @@ class Layer:
             gl.glBindVertexArray(0)
         gl.glBindBuffer(_ARRAY_BUFFER, 0)
         gl.glEnableVertexAttribArray(0)
-        for draw in draws:
-            points, camera = triangles(draw.batch), draw.camera
+        for batch, camera in items:
+            points = triangles(batch)
             if not len(points) or min(camera.viewport[2:]) <= 0:
                 continue
             gl.glViewport(*camera.viewport)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping
-from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
@@ -18,6 +17,7 @@ from glshim.geometry.lines import RECORD
 from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of
 from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
+from glshim.render.programs import Program
 from glshim.styling.protocol import Shader, Uniform
 
 _SHADERS = files(__package__) / "shaders"
@@ -31,28 +31,12 @@ Records = NDArray[np.float32]
 Uniforms = Mapping[str, Uniform]
 
 
-@dataclass(frozen=True, slots=True)
-class _Program:
-    program: Any
-    uniforms: dict[str, Any]
-
-    def set(self, values: Mapping[str, Any]) -> None:
-        for name, value in values.items():
-            found = self.uniforms.get(name)
-            if found is None:
-                continue
-            if isinstance(value, np.ndarray):
-                found.write(np.ascontiguousarray(value, np.float32))
-            else:
-                found.value = value
-
-
 class Pen:
     """Make it with the context of moderngl that is current, inside the state guard."""
 
     def __init__(self, context: Any, ring_bytes: int) -> None:
-        self._context = context
-        self._programs: dict[tuple[Shader, int, tuple[str, ...]], _Program] = {}
+        self.context = context
+        self._programs: dict[tuple[Shader, int, tuple[str, ...]], Program] = {}
         self._ring = context.buffer(reserve=ring_bytes, dynamic=True)
         self._ring_at = 0
         array = ctypes.c_uint()
@@ -81,7 +65,7 @@ class Pen:
             return
         offset = self._stream(records)
         gl.glViewport(*camera.viewport)
-        gl.glUseProgram(program.program.glo)
+        gl.glUseProgram(program.name)
         gl.glBindVertexArray(self._array)
         gl.glBindBuffer(0x8892, self._ring.glo)
         start = offset
@@ -109,10 +93,10 @@ class Pen:
         if program is None:
             raise RenderError("this camera sees nothing")
         width = sum(names.values())
-        source = self._context.buffer(records)
-        target = self._context.buffer(reserve=len(records) * shader.vertices * width * 4)
+        source = self.context.buffer(records)
+        target = self.context.buffer(reserve=len(records) * shader.vertices * width * 4)
         layout = " ".join(f"{size}f" for size in _INPUTS.values()) + " /i"
-        array = self._context.vertex_array(program.program, [(source, layout, *_INPUTS)])
+        array = self.context.vertex_array(program.made, [(source, layout, *_INPUTS)])
         array.transform(target, moderngl.POINTS, shader.vertices, instances=len(records))
         found = np.frombuffer(target.read(), np.float32).reshape(len(records), -1, width)
         for held in (array, source, target):
@@ -133,7 +117,7 @@ class Pen:
         away: float,
         hair: float,
         varyings: tuple[str, ...] = (),
-    ) -> _Program | None:
+    ) -> Program | None:
         """The program of a shader with its uniforms set; None where the camera sees nothing."""
         inputs = inputs_of(camera, depth, away=away, hair=hair)
         if inputs is None:
@@ -149,7 +133,7 @@ class Pen:
         size = records.nbytes
         if size > self._ring.size:
             self._ring.release()
-            self._ring = self._context.buffer(reserve=2 * size, dynamic=True)
+            self._ring = self.context.buffer(reserve=2 * size, dynamic=True)
             self._ring_at = 0
         if self._ring_at + size > self._ring.size:
             self._ring.orphan()
@@ -159,14 +143,14 @@ class Pen:
         self._ring_at = offset + size
         return offset
 
-    def _program(self, shader: Shader, planes: int, varyings: tuple[str, ...]) -> _Program:
+    def _program(self, shader: Shader, planes: int, varyings: tuple[str, ...]) -> Program:
         key = (shader, planes, varyings)
         found = self._programs.get(key)
         if found is None:
             head = f"#version 330\n#define CLIP_PLANES {planes}\n"
             first = f"{head}#define VERTEX_STAGE\n{DEPTH}{_LINE}"
             try:
-                program = self._context.program(
+                program = self.context.program(
                     vertex_shader=f"{first}#line 1\n{shader.vertex}",
                     fragment_shader=None
                     if varyings
@@ -175,7 +159,5 @@ class Pen:
                 )
             except moderngl.Error as error:
                 raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
-            members = {name: program[name] for name in program}
-            uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
-            found = self._programs[key] = _Program(program, uniforms)
+            found = self._programs[key] = Program(program)
         return found

@@ -1,15 +1,40 @@
-"""Programs through the bare driver, in GLSL that every version from 2.1 on has."""
+"""Programs: moderngl's, and through the bare driver, in GLSL that every version from 2.1 on has."""
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import moderngl
+import numpy as np
 
 from glshim.errors import RenderError
 from glshim.render.driver import gl
 
 _VERTEX, _FRAGMENT = 0x8B31, 0x8B30
 _LINKED = 0x8B82
+
+
+class Program:
+    """A program of moderngl's; uniforms that it does not have are passed over."""
+
+    def __init__(self, made: Any) -> None:
+        self.made = made
+        self.name = int(made.glo)
+        members = {name: made[name] for name in made}
+        self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
+
+    def set(self, values: Mapping[str, Any]) -> None:
+        """Uniforms by name; arrays as they lie in memory, columns first."""
+        for name, value in values.items():
+            found = self._uniforms.get(name)
+            if found is None:
+                continue
+            if isinstance(value, np.ndarray):
+                found.write(np.ascontiguousarray(value, np.float32))
+            else:
+                found.value = value
 
 
 def compiled(name: str, vertex: str, fragment: str, attributes: Sequence[str] = ()) -> int:

@@ -202,6 +202,8 @@ class Layer:
 
     items: tuple[tuple[PolygonBatch, Camera], ...]
     """The batches in the order of drawing, each with the camera that it was drawn with."""
+    light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
+    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -22,7 +22,7 @@ ROOMS = {
     "glshim/geometry": ("glshim.assembly.batch",),
     "glshim/styling": ("glshim.assembly.batch", "glshim.geometry"),
     "glshim/render": ("glshim.styling.protocol", "glshim.styling.pictures.Image",
-                      "glshim.assembly.batch", "glshim.geometry"),
+                      "glshim.styling.passes", "glshim.assembly.batch", "glshim.geometry"),
     "stylers": ("glshim.styling", "glshim.assembly.batch", "glshim.geometry"),
 }
 # The one way in from start-up; it loads the composition when PyOpenGL comes.

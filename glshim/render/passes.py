@@ -1,0 +1,217 @@
+"""Runs passes of stylers over recovered meshes (`glshim.styling.passes`)."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Hashable, Sequence
+from dataclasses import replace
+from importlib.resources import files
+from math import isfinite
+from typing import Any
+
+import moderngl
+import numpy as np
+
+from glshim.errors import RenderError
+from glshim.geometry.camera import Camera
+from glshim.geometry.poses import Keyframes, Pose
+from glshim.notices import say_once
+from glshim.render.cameras import inputs_of, scissor
+from glshim.render.depth import Box, DepthCopy
+from glshim.render.driver import gl
+from glshim.render.meshes import UNITS, Posed, Resident, Residents
+from glshim.render.programs import Program
+from glshim.render.stage import NOTHING_DRAWN, Stage
+from glshim.render.textures import Textures
+from glshim.styling.passes import VERTICES, Body, Comparison, MeshShader, Pass, State, Stencil
+
+_SHADERS = files(__package__) / "shaders"
+_MESH = "".join((_SHADERS / name).read_text("utf-8") for name in ("mesh.glsl", "edges.glsl"))
+_DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
+_MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}
+_TESTS = {"never": 0x0200, "less": 0x0201, "equal": 0x0202, "lequal": 0x0203, "greater": 0x0204,
+          "notequal": 0x0205, "gequal": 0x0206, "always": 0x0207}  # fmt: skip
+_TURNED: dict[Comparison, Comparison] = {
+    "less": "greater", "lequal": "gequal", "greater": "less", "gequal": "lequal"
+}  # fmt: skip
+_ACTIONS = {"keep": 0x1E00, "replace": 0x1E01, "increase": 0x8507, "decrease": 0x8508, "zero": 0}
+_BLEND, _CULL, _STENCIL, _DEPTH_TEST = 0x0BE2, 0x0B44, 0x0B90, 0x0B71
+_OFFSET, _OFFSET_LINE, _CLAMP, _PRIMITIVE_RESTART = 0x8037, 0x2A02, 0x864F, 0x8F9D
+_ARRAY_BUFFER = 0x8892
+
+
+class Runner:
+    """Draws passes in one context. Make and use it inside the state guard."""
+
+    def __init__(self, context: Any, most_bytes: int) -> None:
+        self._context = context
+        self.residents = Residents(most_bytes)
+        self._stage = Stage()
+        self._programs: dict[Hashable, Program] = {}
+        array = ctypes.c_uint()
+        gl.glGenVertexArrays(1, ctypes.addressof(array))
+        self._array = array.value
+        gl.glBindVertexArray(self._array)
+        # Compatibility contexts draw nothing without an array 0: one value for all vertices.
+        self._nothing = context.buffer(np.zeros(4, np.float32))
+        gl.glBindBuffer(_ARRAY_BUFFER, self._nothing.glo)
+        gl.glEnableVertexAttribArray(0)
+        gl.glVertexAttribPointer(0, 4, 0x1406, 0, 0, None)
+        gl.glVertexAttribDivisor(0, 1 << 30)
+
+    def run(
+        self,
+        passes: Sequence[Pass],
+        window: int,
+        box: Box,
+        depth: DepthCopy,
+        textures: Textures,
+        *,
+        greater: bool,
+        hair: float,
+    ) -> None:
+        """All passes on the stage, which then goes over the window. greater: the app's depth test
+        lets greater depths win; hair in window depth."""
+        self._stage.open(box)
+        for one in passes:
+            if one.image is not None:
+                textures.bind(one.image)
+            _set(one.state, greater)
+            for body in one.bodies:
+                camera = body.camera.affine()
+                if not all(map(isfinite, camera.modelview.ravel().tolist())):
+                    continue
+                inputs = inputs_of(camera, depth, away=-1.0 if greater else 1.0, hair=hair)
+                if inputs is None:
+                    continue
+                self._draw(one, replace(body, camera=camera), inputs, box)
+            self.residents.release()
+        _set(State(depth="always", blend="off"), greater)
+        gl.glDisable(_STENCIL)
+        self._stage.put_over(window, box)
+
+    def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
+        camera = body.camera
+        resident: Resident | None = None
+        count, each = 1, 3
+        if one.element != "screen":
+            resident = self.residents.find(body.batches)
+            rows = resident.edges.indices if one.element == "edges" else resident.mesh.triangles
+            count, each = len(rows), VERTICES[one.primitive] * one.primitives
+        posed = None
+        if one.pose is not None and resident is not None:
+            if _size_of(one.pose) != len(resident.mesh.positions):
+                say_once(
+                    f"style shader {one.shader.name!r} is left out: its pose has "
+                    f"{_size_of(one.pose)} vertices, the mesh {len(resident.mesh.positions)}"
+                )
+                return
+            posed = Posed(one.pose)
+        program = self._program(one.shader, one.pose)
+        program.set(inputs)
+        program.set(seen_from(camera, one.light))
+        program.set({name: unit for name, unit in UNITS.items()} | {"vertices_each": each})
+        program.set(one.uniforms)
+        if isinstance(one.pose, Keyframes):
+            program.set({"share": one.pose.share})
+        elif one.pose is not None:
+            program.set({"bones": one.pose.matrices.transpose(0, 2, 1)})
+        if resident is not None:
+            resident.bind()
+        if posed is not None:
+            posed.bind()
+        gl.glViewport(*camera.viewport)
+        gl.glDepthRange(*camera.depth_range)
+        scissor(camera, box)
+        gl.glUseProgram(program.name)
+        gl.glBindVertexArray(self._array)
+        mode = _MODES[one.primitive]
+        gl.glDrawArraysInstanced(mode, 0, count * each, one.copies)
+        if posed is not None:
+            posed.release()
+
+    def _program(self, shader: MeshShader, pose: Pose | None) -> Program:
+        moved = ""
+        if isinstance(pose, Keyframes):
+            moved = "#define KEYFRAMES\n"
+        elif pose is not None:
+            moved = f"#define BONES {len(pose.matrices)}\n"
+        key = (shader, moved)
+        found = self._programs.get(key)
+        if found is None:
+            head = f"#version 330\n{moved}"
+            try:
+                made = self._context.program(
+                    vertex_shader=f"{head}#define VERTEX_STAGE\n{_DEPTH}{_MESH}#line 1\n"
+                    f"{shader.vertex}",
+                    fragment_shader=f"{head}{_DEPTH}#line 1\n{shader.fragment}",
+                )
+            except moderngl.Error as error:
+                raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
+            found = self._programs[key] = Program(made)
+        return found
+
+
+def seen_from(camera: Camera, light: Sequence[float]) -> dict[str, Any]:
+    """The uniforms of ``mesh.glsl`` that tell where the viewer and the light are; light is
+    homogeneous, in eye space."""
+    centre, spot = camera.centre, camera.viewpoint
+    turn = float(np.linalg.det(camera.modelview[:3, :3]))
+    way = np.sign(centre @ spot) * (1.0 if turn >= 0.0 else -1.0)
+    eye = camera.object_centre * way
+    scale = abs(eye[3]) if eye[3] > 1e-12 * np.abs(eye[:3]).max() else np.linalg.norm(eye[:3])
+    eye = eye / max(float(scale), 1e-300)
+    try:
+        lamp = np.linalg.inv(camera.modelview) @ np.asarray(light, np.float64)
+    except np.linalg.LinAlgError:
+        lamp = np.array((0.0, 0.0, 1.0, 0.0))
+    return {
+        "modelview": camera.modelview.T,
+        "eye": tuple(eye.tolist()),
+        "light": tuple(lamp.tolist()),
+        "facing": float(way) * (1.0 if camera.front_ccw else -1.0),
+    }
+
+
+def _size_of(pose: Pose) -> int:
+    return len(pose.positions[0] if isinstance(pose, Keyframes) else pose.positions)
+
+
+def _set(state: State, greater: bool) -> None:
+    """The fixed state of a pass."""
+    gl.glEnable(_DEPTH_TEST)
+    test = _TURNED.get(state.depth, state.depth) if greater else state.depth
+    gl.glDepthFunc(_TESTS[test])
+    gl.glDepthMask(int(state.writes_depth))
+    gl.glColorMask(*[int(state.writes_colour)] * 4)
+    _switch(_BLEND, state.blend != "off")
+    gl.glBlendEquation(0x8008 if state.blend == "greatest" else 0x8006)
+    gl.glBlendFunc(1, 0x0303)
+    _switch(_CULL, state.cull != "none")
+    if state.cull != "none":
+        gl.glCullFace(0x0404 if state.cull == "front" else 0x0405)
+    factor, units = state.offset
+    for capability in (_OFFSET, _OFFSET_LINE):
+        _switch(capability, factor != 0.0 or units != 0.0)
+    way = -1.0 if greater else 1.0
+    gl.glPolygonOffset(way * factor, way * units)
+    _switch(_CLAMP, state.clamps)
+    gl.glDisable(_PRIMITIVE_RESTART)
+    _stencil(state.stencil, state.clears_stencil)
+
+
+def _stencil(stencil: Stencil | None, clears: bool) -> None:
+    gl.glStencilMask(0xFF)
+    if clears:
+        gl.glClearStencil(NOTHING_DRAWN)
+        gl.glClear(0x0400)
+    _switch(_STENCIL, stencil is not None)
+    if stencil is None:
+        return
+    gl.glStencilFunc(_TESTS[stencil.test], stencil.reference, 0xFF)
+    for face, actions in ((0x0404, stencil.front), (0x0405, stencil.back)):
+        gl.glStencilOpSeparate(face, *(_ACTIONS[action] for action in actions))
+
+
+def _switch(capability: int, on: bool) -> None:
+    (gl.glEnable if on else gl.glDisable)(capability)

@@ -1,0 +1,77 @@
+// Prelude of every mesh shader's vertex stage: the recovered mesh, the camera and the light. A
+// vertex has no attributes: it looks its element up by number.
+// Inputs: textures of positions and normals (a texel a vertex), edges <v0, v1, v2, v3> and triangles.
+// Source: McGuire & Hughes 2004, section 3 (the edge vertex), 3.6 (key frames, bones), by indices
+//         as their section 6 foresees. Numpy references: glshim/geometry/edge_mesh.py, poses.py.
+
+uniform sampler2D mesh_positions;   // object space
+uniform sampler2D mesh_normals;
+uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
+uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed
+uniform int vertices_each;          // vertices an element is drawn with
+
+uniform mat4 modelview;
+uniform mat4 projection;
+uniform vec4 eye;        // the viewer in object space, homogeneous: a direction to it where w = 0
+uniform vec4 light;      // GL_LIGHT0 in object space, homogeneous
+uniform float facing;    // +1 where triangles that wind counter-clockwise about their normal face
+                         // the viewer as the app means it, else -1
+uniform vec4 viewport;   // pixels: its middle, and half its size
+
+const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
+
+ivec2 texel(int i) { return ivec2(i & 2047, i >> 11); }
+int element() { return gl_VertexID / vertices_each; }
+int corner() { return gl_VertexID - vertices_each * element(); }
+ivec4 edge_at(int i) { return texelFetch(mesh_edges, texel(i), 0); }
+ivec4 triangle_at(int i) { return texelFetch(mesh_triangles, texel(i), 0); }
+
+// A number in 0..1 that belongs to an element and looks random.
+float random_of(int i) {
+    uint h = uint(i) * 747796405u + 2891336453u;
+    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
+    return float(((h >> 22u) ^ h) & 0xFFFFu) / 65536.0;
+}
+
+#if defined(KEYFRAMES)
+uniform sampler2D next_positions;
+uniform sampler2D next_normals;
+uniform float share;
+vec3 position(int v) {
+    vec3 from = texelFetch(mesh_positions, texel(v), 0).xyz;
+    return from + share * (texelFetch(next_positions, texel(v), 0).xyz - from);
+}
+vec3 normal(int v) {
+    vec3 from = texelFetch(mesh_normals, texel(v), 0).xyz;
+    return normalize(from + share * (texelFetch(next_normals, texel(v), 0).xyz - from));
+}
+#elif defined(BONES)
+uniform isampler2D mesh_bones;
+uniform sampler2D mesh_weights;
+uniform mat4 bones[BONES];
+mat4 blended(int v) {
+    ivec4 which = texelFetch(mesh_bones, texel(v), 0);
+    vec4 weight = texelFetch(mesh_weights, texel(v), 0);
+    return weight.x * bones[which.x] + weight.y * bones[which.y] + weight.z * bones[which.z]
+         + weight.w * bones[which.w];
+}
+vec3 position(int v) {
+    return (blended(v) * vec4(texelFetch(mesh_positions, texel(v), 0).xyz, 1.0)).xyz;
+}
+vec3 normal(int v) {
+    mat3 m = mat3(blended(v));
+    mat3 turn = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
+    return normalize(turn * texelFetch(mesh_normals, texel(v), 0).xyz);
+}
+#else
+vec3 position(int v) { return texelFetch(mesh_positions, texel(v), 0).xyz; }
+vec3 normal(int v) { return texelFetch(mesh_normals, texel(v), 0).xyz; }
+#endif
+
+// Towards an eye or a light, homogeneous, from a point; not of unit length.
+vec3 towards(vec4 source, vec3 point) { return source.xyz - source.w * point; }
+
+vec4 clip(vec3 point) { return projection * (modelview * vec4(point, 1.0)); }
+
+// Pixels from the middle of the viewport, and depth, of a place in clip space.
+vec2 pixels(vec4 place) { return place.xy / place.w * viewport.zw; }
