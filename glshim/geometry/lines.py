@@ -38,6 +38,13 @@ window, c is where an outline goes on from b, or b), unit normals of the own and
 polygon (3 each; the other's is zero where none is known), kind, repeats of a pattern at a and at b
 (the same where there is none)."""
 
+GROUPS = 8
+"""Groups of lines that have a width and a colour of their own: 0 silhouettes, 1 ridges, 2 valleys,
+3 intersections; and 4 marked edges, 5 boundary edges, 6 suggestive contours, whose records hold
+their kind plus `GROUP` times (group - 3)."""
+GROUP = 16
+MARKED, BOUNDARY, SUGGESTIVE = 4, 5, 6
+
 _SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
 _ANGLE_GRAIN = 1e-3
@@ -100,11 +107,7 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
         found = _together(seams, seen, choice) + _alone(seams.singles, seen, choice)
         records.append(seen.records(found))
     whole = np.concatenate(records) if records else np.empty((0, RECORD), np.float32)
-    outlines = np.flatnonzero(whole[:, 15] <= FIN)
-    if len(outlines):
-        following = link(whole[outlines, 0:3], whole[outlines, 3:6])
-        goes_on = following >= 0
-        whole[outlines[goes_on], 6:9] = whole[outlines[following[goes_on]], 3:6]
+    run_on(whole)
     if choice.pattern is not None:
         lay_pattern(whole, camera, choice.pattern)
     return whole
@@ -112,9 +115,29 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
 
 def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
     """Write into records (L, 18) how far along a pattern each line lies, whatever their kinds."""
-    group = np.maximum(records[:, 15].astype(np.intp) - FIN + 1, 0) // 2
+    group = group_of(records)
     found = measure(records[:, 0:3], records[:, 3:6], group, camera, pattern)
     records[:, 16], records[:, 17] = found
+
+
+def kind_of(records: Floats) -> Indices:
+    """(L,) kinds of line of records (L, 18)."""
+    return np.asarray(records[:, 15].astype(np.intp) % GROUP)
+
+
+def group_of(records: Floats) -> Indices:
+    """(L,) groups of records (L, 18), see `GROUPS`."""
+    kind, extra = kind_of(records), records[:, 15].astype(np.intp) // GROUP
+    return np.where(extra > 0, extra + 3, np.maximum(kind - FIN + 1, 0) // 2)
+
+
+def run_on(records: Floats) -> None:
+    """Write into records of outlines where each goes on from its end b."""
+    outlines = np.flatnonzero(kind_of(records) <= FIN)
+    if len(outlines):
+        following = link(records[outlines, 0:3], records[outlines, 3:6])
+        goes_on = following >= 0
+        records[outlines[goes_on], 6:9] = records[outlines[following[goes_on]], 3:6]
 
 
 class _Seen:

@@ -17,13 +17,24 @@ projection, and nothing travels along the side.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.lines import CONTOUR, FIN, HOLLOW, LONE_RIDGE, LONE_VALLEY, OUTLINES
+from glshim.geometry.lines import (
+    CONTOUR,
+    FIN,
+    GROUP,
+    HOLLOW,
+    LONE_RIDGE,
+    LONE_VALLEY,
+    OUTLINES,
+    group_of,
+    kind_of,
+)
 from glshim.geometry.screen import cut, window
 from glshim.geometry.vectors import dot, unit
 
@@ -58,7 +69,7 @@ class Strokes:
     """(L, 4) depth a pixel on the line's plane and, if it has one, on the other polygon's."""
     extent: Doubles
     """(L, 3) pixels across, outwards (to the right of a to b), between which the ink lies; the kind
-    of line."""
+    and group of the line, as in its record."""
     repeats: Doubles
     """(L, 2) of a pattern at a and at b, see `glshim.geometry.lines.RECORD`."""
     grain: Doubles
@@ -70,10 +81,7 @@ def strokes(
     records: NDArray[np.float32],
     camera: Camera,
     *,
-    silhouette_width: float,
-    ridge_width: float,
-    valley_width: float,
-    intersection_width: float,
+    widths: Sequence[float],
     ridge_angle: float,
     valley_angle: float,
     hair: float,
@@ -81,12 +89,12 @@ def strokes(
 ) -> Strokes:
     """The strokes of line records (L, 18) in eye space, see `glshim.geometry.lines.RECORD`.
 
-    Widths in pixels, angles in radians, hair: a few steps of the depth buffer in window depth,
-    positive. blur: pixels by which depths may not be those of pixel centres. The camera's depth
+    widths of the groups (`glshim.geometry.lines.GROUPS`) in pixels, angles in radians, hair: a few
+    steps of the depth buffer in window depth, positive. blur: pixels by which depths may not be those of pixel centres. The camera's depth
     function is taken as GL_LESS: depth range (0, 1) gives greater for farther.
     """
     rows = records.astype(np.float64)
-    kind = rows[:, 15].astype(int)
+    kind, group = kind_of(records), group_of(records)
     outline = np.isin(kind, OUTLINES)
     lone = (kind == LONE_RIDGE) | (kind == LONE_VALLEY)
     ends, whole_b, drawn = cut(rows[:, 0:3], rows[:, 3:6], camera)
@@ -119,9 +127,8 @@ def strokes(
     outer = (turn > 0.0) | ((turn > -1e-3) & (dot(along, onwards) < 0.0))
     onwards = np.where((long & outer)[:, None], onwards, 0.0)
 
-    widths = np.array([*[silhouette_width] * len(OUTLINES), ridge_width, ridge_width,
-                       valley_width, valley_width, intersection_width])[kind]  # fmt: skip
-    inwards = np.where(outline, INWARD, widths / 2.0)
+    width = np.asarray(widths, np.float64)[group]
+    inwards = np.where(outline, INWARD, width / 2.0)
     steep = np.where(lone, np.sqrt(dot(slopes[:, :2], slopes[:, :2])), deep)
     length = np.hypot(*(finish - start)[:, :2].T)
     leaning = np.abs(finish[:, 2] - start[:, 2]) / np.maximum(length, 1e-30)
@@ -131,7 +138,7 @@ def strokes(
         np.minimum(leaning, deep),
     ) + hair + blur * steep  # fmt: skip
     return Strokes(
-        drawn, start, finish, onwards, slopes, np.c_[-inwards, widths - inwards, rows[:, 15]],
+        drawn, start, finish, onwards, slopes, np.c_[-inwards, width - inwards, rows[:, 15]],
         rows[:, 16:18], np.c_[deep, slack],
     )  # fmt: skip
 
@@ -144,7 +151,7 @@ def quads(strokes: Strokes) -> Doubles:
     outwards = np.c_[along[:, 1], -along[:, 0]]
     corner = strokes.onwards.any(axis=1)
     reach = strokes.extent[:, 1] + 1.0
-    flat = np.isin(strokes.extent[:, 2], OUTLINES)
+    flat = strokes.extent[:, 2] % GROUP <= FIN
     behind = np.where(flat, 1.0, reach)
     beyond = np.where(flat & ~corner, 1.0, reach)
     sharp = corner & (dot(along, strokes.onwards) < 0.0)
@@ -206,7 +213,7 @@ def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     past = t - np.clip(t, 0.0, length)
     past[np.abs(past) < JOINT] = 0.0
     rim = np.clip(outer + 0.5 - np.hypot(past, s), 0.0, 1.0)
-    if strokes.extent[row, 2] > FIN:
+    if strokes.extent[row, 2] % GROUP > FIN:
         return np.asarray(rim)
     onwards = strokes.onwards[row]
     corner = (past > 0.0) & ((pixels - b) @ onwards < 0.0)

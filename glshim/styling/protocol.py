@@ -38,7 +38,7 @@ from glshim.styling.pictures import Image, read_image
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
-Uniform = float | int | tuple[float, ...]
+Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _KEY = "glshim.option"

@@ -13,7 +13,7 @@ from math import cos, radians, sin
 from typing import ClassVar
 
 from glshim.geometry.chains import Pattern
-from glshim.geometry.lines import Choice
+from glshim.geometry.lines import GROUPS, Choice
 from glshim.geometry.raskar import INWARD
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
@@ -100,7 +100,7 @@ class Raskar(Styler):
         if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
             return
         ridge, valley = radians(self.ridge_angle), radians(self.valley_angle)
-        pattern, image, stroke_ink = self._stroke()
+        pattern, image, tinted = self._stroke()
         choice = Choice(
             self.silhouettes,
             ridge if self.ridges else None,
@@ -110,12 +110,14 @@ class Raskar(Styler):
             pattern,
         )
         uniforms: dict[str, Uniform] = {
-            "widths": self._widths,
+            "widths": (*self._widths, *(GROUPS - 4) * (1.0,)),
             "ridge_turn": (cos(ridge), sin(ridge)),
             "valley_turn": (cos(valley), sin(valley)),
-            "ink": self.ink,
+            "inks": GROUPS * (self.ink,),
+            "hidden_share": 0.0,
             "textured": float(pattern is not None),
-            "stroke_ink": stroke_ink,
+            "tinted": tinted,
+            "dashes": 0.0,
         }
         for batch, camera in layer.items:
             yield Draw(batch, camera, choice, SHADER, uniforms, image)
@@ -124,11 +126,11 @@ class Raskar(Styler):
     def _widths(self) -> tuple[float, float, float, float]:
         return self.silhouette_width, self.ridge_width, self.valley_width, self.intersection_width
 
-    def _stroke(self) -> tuple[Pattern | None, Image | None, Colour]:
-        """The texture: how it repeats, on narrower lines sooner; its image; what that is multiplied
-        by."""
+    def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
+        """The texture: how it repeats, on narrower lines sooner; its image; 1.0 where that takes
+        the colour of the ink."""
         if self.texture == "none":
-            return None, None, self.ink
+            return None, None, 1.0
         width = self.silhouette_width
         image, length, coloured = textures.made(self.texture, width, self.texture_length)
         silhouettes, *others = (length * own / width for own in self._widths)
@@ -136,4 +138,4 @@ class Raskar(Styler):
             others = [0.0, 0.0, 0.0]
         ridges, valleys, intersections = others
         pattern = Pattern((silhouettes, ridges, valleys, intersections), width / 2.0 - INWARD)
-        return pattern, image, (1.0, 1.0, 1.0) if coloured else self.ink
+        return pattern, image, 0.0 if coloured else 1.0

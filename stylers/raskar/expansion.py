@@ -22,17 +22,13 @@ def expand(
     blur: float,
 ) -> Expansion:
     """The strips of `SHADER`, from the numpy reference."""
-    silhouette, ridge, valley, intersection = _numbers(uniforms["widths"])
     ridge_turn, valley_turn = (_numbers(uniforms[name]) for name in ("ridge_turn", "valley_turn"))
     # Lines that are not drawn may divide by nothing.
     with np.errstate(all="ignore"):
         strokes = raskar.strokes(
             records,
             camera,
-            silhouette_width=silhouette,
-            ridge_width=ridge,
-            valley_width=valley,
-            intersection_width=intersection,
+            widths=_numbers(uniforms["widths"]),
             ridge_angle=float(np.arctan2(ridge_turn[1], ridge_turn[0])),
             valley_angle=float(np.arctan2(valley_turn[1], valley_turn[0])),
             hair=hair,

@@ -4,7 +4,7 @@
 // Source: Raskar 2001, sections 2.1 to 2.4, done on the screen so that the width is exact
 //         (derivation and numpy reference: glshim/geometry/raskar.py).
 
-uniform vec4 widths;       // of silhouettes, ridges, valleys, intersections
+uniform float widths[GROUPS];  // pixels
 uniform vec2 ridge_turn;   // cosine and sine of the threshold angle
 uniform vec2 valley_turn;
 
@@ -76,14 +76,14 @@ void main() {
         }
     }
 
-    float width = widths[max(kind - 2, 0) / 2];
+    float width = widths[group];
     float inward = outline ? INWARD : 0.5 * width;
     extent = vec3(-inward, width - inward, edge_kind.x);
     float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
                 : kind == FIN || lone ? 0.0 : min(abs(line_b.z - line_a.z) / span, deep);
     grain = vec2(deep, slack + hair + blur * (lone ? length(slopes.xy) : deep));
 
-    if (!seen_somewhere()) return;
+    if (hidden_share == 0.0 && !seen_somewhere()) return;
 
     // The quad: a pixel beyond the ink, round at the ends of what is not an outline.
     bool corner = onwards != vec2(0.0), far = gl_VertexID > 1;

@@ -7,15 +7,18 @@ PASSED vec3 line_a;   // pixels of the framebuffer, depth (greater is farther)
 PASSED vec3 line_b;
 PASSED vec2 onwards;  // direction of the next side at an outer corner of an outline; else 0
 PASSED vec4 slopes;   // depth a pixel on the line's plane and on the other polygon's
-PASSED vec3 extent;   // pixels outwards between which the ink lies; kind
+PASSED vec3 extent;   // pixels outwards between which the ink lies; kind and group
 PASSED vec2 repeats;  // of a pattern at a and at b; the same where there is none
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
+
+const int GROUPS = 8;       // of lines: glshim/geometry/lines.py
+uniform float hidden_share;  // ink of what is hidden, of one
 
 const float MEETING = 0.05;  // pixels' worth of depth by which surfaces that meet may miss
 
 vec2 along, out_1;
 float span;
-int kind;
+int kind, group;
 
 // Fills the variables above from the stroke.
 void take_stroke() {
@@ -24,6 +27,9 @@ void take_stroke() {
     along /= span;
     out_1 = vec2(along.y, -along.x);
     kind = int(extent.z + 0.5);
+    int extra = kind / 16;
+    kind -= 16 * extra;
+    group = extra > 0 ? extra + 3 : (kind > 2 ? kind - 2 : 0) / 2;
 }
 
 // The point of the line t pixels from a: pixels, depth.

@@ -41,7 +41,7 @@ OUTPUTS = {
     "gl_Position": 4, "line_a": 3, "line_b": 3, "onwards": 2, "slopes": 4, "extent": 3,
     "repeats": 2, "grain": 2,
 }  # fmt: skip
-WIDTHS = (5.0, 2.5, 4.0, 3.0)
+WIDTHS = (5.0, 2.5, 4.0, 3.0, 1.0, 6.0, 2.0, 1.5)
 
 
 def cameras():
@@ -81,16 +81,16 @@ def uniforms_of(angle):
     other = 2 * np.pi - angle
     return {
         "widths": WIDTHS,
+        "hidden_share": 1.0,  # every line counts, seen or not
         "ridge_turn": (np.cos(angle), np.sin(angle)),
         "valley_turn": (np.cos(other), np.sin(other)),
     }
 
 
 def strokes_of(records, camera, angle):
-    names = ("silhouette_width", "ridge_width", "valley_width", "intersection_width")
     return raskar.strokes(
-        records, camera, **dict(zip(names, WIDTHS, strict=True)),
-        ridge_angle=angle, valley_angle=2 * np.pi - angle, hair=HAIR,
+        records, camera, widths=WIDTHS, hair=HAIR,
+        ridge_angle=angle, valley_angle=2 * np.pi - angle,
     )  # fmt: skip
 
 
@@ -128,7 +128,7 @@ def test_gpu_strokes_are_the_reference(backend, camera, angle, name):
     angle = np.radians(angle)
     records = records_of(look.MESHES[name](), camera, angle)
     found = backend.pen.varyings(
-        records, camera, everywhere(SHADER), uniforms_of(angle), OUTPUTS, hair=HAIR
+        records, camera, SHADER, uniforms_of(angle), OUTPUTS, hair=HAIR
     )
     drawn, wanted = reference(records, camera, angle)
     assert drawn.sum() > 10
@@ -221,26 +221,13 @@ def test_strokes_have_the_asked_pixels_and_lie_in_the_papers_planes(name):
     assert checked == {RING, LONE_RIDGE}
 
 
-def everywhere(shader):
-    """The same shader for which every line is seen."""
-    texts = []
-    for text, check in (
-        (shader.vertex, "if (!seen_somewhere()) return;"),
-        (shader.fragment, "if (!seen(on)) discard;"),
-    ):
-        assert check in text
-        texts.append(text.replace(check, ""))
-    return dataclasses.replace(shader, vertex=texts[0], fragment=texts[1])
-
-
 @pytest.mark.parametrize("name", ["perspective", "inside", "clip planes"])
 def test_coverage_is_what_the_gpu_draws(backend, name):
     """Single strokes, nothing in front of them: the ink of every pixel to within 2 of 255."""
     camera, angle = cameras()[name], np.radians(120.0)
     records = records_of(look.cube(), camera, angle)
     strokes = strokes_of(records, camera, angle)
-    uniforms = uniforms_of(angle) | {"ink": (1.0, 1.0, 1.0), "stroke_ink": (1.0, 1.0, 1.0)}
-    shader = everywhere(SHADER)
+    uniforms = uniforms_of(angle) | {"inks": 8 * ((1.0, 1.0, 1.0),), "tinted": 1.0}
     width, height = VIEW[0] + VIEW[2], VIEW[1] + VIEW[3]
     box = (0, 0, width, height)
     centres = np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=2) + 0.5
@@ -254,7 +241,7 @@ def test_coverage_is_what_the_gpu_draws(backend, name):
                 continue
             canvas.open(box)
             one = records[row : row + 1]
-            backend.pen.draw(one, camera, shader, uniforms, depth, away=1.0, hair=HAIR)
+            backend.pen.draw(one, camera, SHADER, uniforms, depth, away=1.0, hair=HAIR)
             found = np.empty((height, width), np.uint8)
             gl.glPixelStorei(0x0D05, 1)
             gl.glReadPixels(*box, 0x1903, 0x1401, found.ctypes.data)
