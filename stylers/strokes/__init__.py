@@ -1,8 +1,8 @@
 """What strokes are drawn with: textures made here, and picture files.
 
 Columns run along a stroke and tile, rows across it, the first on the outside, the last one on the
-inside (McGuire & Hughes 2004, section 4 and figure 6). Made for a width and a length in pixels, so
-that dots are round and the tooth of the paper is as coarse on wide lines as on fine ones.
+inside (McGuire & Hughes 2004, section 4 and figure 6). Made for a width and a length in pixels: so
+dots are round, and the tooth of the paper is as coarse on wide lines as on fine ones.
 
 ``python -m stylers.strokes OUT [WIDTH]`` writes them as PNGs to look at.
 """
@@ -25,7 +25,7 @@ _Make = Callable[[float, float], Doubles]
 _MADE: dict[str, tuple[_Make, Callable[[float], float]]] = {
     "dotted": (dotted, lambda width: 2.0 * width),
     "dashed": (dashed, lambda width: 5.0 * width),
-    "pen": (pen, lambda width: max(256.0, 40.0 * width)),
+    "pen": (pen, lambda width: max(256.0, 30.0 * width)),
     "charcoal": (charcoal, lambda width: max(256.0, 24.0 * width)),
     "watercolour": (watercolour, lambda width: max(256.0, 24.0 * width)),
     "cartoon_fur": (cartoon_fur, lambda width: 20.0 * width),

@@ -12,6 +12,8 @@ _SPACING = 0.55
 """From one tuft to the next, in widths of the line."""
 _FLAT = 24
 """Points of a curve."""
+_ROOMY = 18.0
+"""Pixels of a line whose locks have room for a hair within."""
 _NARROWEST = 8
 """Columns that a tuft has at least."""
 
@@ -36,15 +38,16 @@ def cartoon_fur(width: float, length: float) -> Doubles:
             at = (along + turn * end) * (sheet.width / end)
             draw.polygon(list(zip(at.tolist(), out.tolist(), strict=True)), fill=ink)
 
-    thick = max(0.085, min(1.3 / width, 0.25))
+    thick = max(0.085, min(1.6 / width, 0.25))  # that much ink stays black in small fur
     starts = (np.arange(tufts) + chance.uniform(-0.3, 0.3, tufts)) * _SPACING * room
     for start in chance.permutation(starts):
         back, front, hair = _lock(chance)
         fill(start, np.concatenate([back, front[::-1]]), 0)  # it hides what is behind
-        fill(start, _stroke(hair, 0.7 * thick), 255)
+        if width >= _ROOMY:
+            fill(start, _stroke(hair, 0.7 * thick), 255)
         fill(start, _stroke(front, 0.8 * thick), 255)
         fill(start, _stroke(back, 1.1 * thick), 255)
-    draw.rectangle((0, sheet.height * (1.0 - thick), sheet.width, sheet.height), fill=255)
+    draw.rectangle((0, sheet.height * (1.0 - 1.2 * thick), sheet.width, sheet.height), fill=255)
     return np.asarray(sheet.reduce(finer), np.float64) / 255.0
 
 

@@ -14,8 +14,8 @@ _SEED = 2001
 
 def pen(width: float, length: float) -> Doubles:
     """A hand-drawn pen stroke: solid, clean at the rims, swelling slowly as the hand presses."""
-    _, across, grain = places(width, length)
-    columns = places(width, length)[0].shape[1]
+    along, across, grain = places(width, length)
+    columns = along.shape[1]
     chance = np.random.default_rng(_SEED)
 
     def hand(pixels: float) -> Doubles:
@@ -79,7 +79,7 @@ def watercolour(width: float, length: float) -> Doubles:
     wet = np.clip(depth / max(0.02 * width, 0.7) + 0.5, 0.0, 1.0)
     load = 0.42 * np.exp(0.3 * np.tanh(line(7.0 * width)) + 0.4 * np.tanh(bloom))
     edge = np.clip(0.8 + 0.3 * line(3.0 * width), 0.3, 1.2)
-    gathered = edge * (1.2 * _falling(depth, max(0.025 * width, 0.5))
+    gathered = edge * (1.6 * _falling(depth, max(0.025 * width, 0.5))
                        + 0.45 * _falling(depth, 0.11 * width))  # fmt: skip
     front = np.clip(bloom / 0.05, 0.0, 1.0) * _falling(bloom, 0.25)  # where one wash ran into wet
     pigment = (load + 0.22 * front) * np.exp(0.14 * grain) + gathered
