@@ -54,13 +54,23 @@ def test_a_length_that_is_asked_for_is_kept(name: str, width: float, length: flo
     assert image.pixels[..., 3].any() or length < 0.1  # a dot smaller than a texel
 
 
-@pytest.mark.parametrize("length", [0.0, 100.0])
-@pytest.mark.parametrize("width", [2.5, 6.0, 16.0, 40.0])
 @pytest.mark.parametrize("name", MADE)
-def test_it_tiles_without_a_seam(name: str, width: float, length: float) -> None:
-    jumps = steps(ink(name, width, length))
-    assert jumps[-1] <= jumps[:-1].max()
-    assert jumps[-4:].mean() <= np.quantile(jumps, 0.99) + 1e-9
+def test_it_tiles_without_a_seam(name: str) -> None:
+    """The change over the seam is one like any other: on the average as many are greater as are
+    less. In a texture that is cut short nearly all are less."""
+
+    def rank(picture: np.ndarray) -> float:
+        jumps = steps(picture)
+        return float((jumps < jumps[-1]).mean())
+
+    sizes = [(width, length) for width in (2.5, 6.0, 10.0, 16.0, 25.0, 40.0) for length in (0, 100)]
+    made_so = [ink(name, width, length) for width, length in sizes]
+    for picture in made_so:
+        assert steps(picture)[-1] <= steps(picture)[:-1].max() + 1e-9
+    assert np.mean([rank(picture) for picture in made_so]) < 0.7
+    if name in DRAWN:
+        cut = [picture[:, : int(0.7 * picture.shape[1])] for picture in made_so]
+        assert np.mean([rank(picture) for picture in cut]) > 0.85
 
 
 @pytest.mark.parametrize("name", DRAWN)
