@@ -17,7 +17,7 @@ from glshim.geometry.lines import GROUPS, Choice
 from glshim.geometry.raskar import INWARD
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
-from stylers.raskar import textures
+from stylers import strokes
 from stylers.raskar.expansion import expand
 
 _HERE = files(__package__)
@@ -71,7 +71,7 @@ class Raskar(Styler):
     texture: str = option(
         "none",
         help="what silhouettes are drawn with; dark is ink in a grey picture, others keep colours",
-        choices=("none", *textures.MADE),
+        choices=("none", *strokes.MADE),
         picture=True,
     )
     texture_length: float = option(
@@ -132,7 +132,7 @@ class Raskar(Styler):
         if self.texture == "none":
             return None, None, 1.0
         width = self.silhouette_width
-        image, length, coloured = textures.made(self.texture, width, self.texture_length)
+        image, length, coloured = strokes.made(self.texture, width, self.texture_length)
         silhouettes, *others = (length * own / width for own in self._widths)
         if self.texture_on == "silhouettes":
             others = [0.0, 0.0, 0.0]

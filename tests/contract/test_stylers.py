@@ -13,6 +13,7 @@ from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.styling import registry
 from glshim.styling.protocol import Draw, Layer, Styler, options_of
+from stylers.strokes import MADE
 from tests import look
 
 
@@ -61,7 +62,7 @@ def test_draws_are_pure_and_plain(styler):
     assert styler().surface in ("app", "none") or len(styler().surface) == 3
 
 
-@pytest.mark.parametrize("texture", ["dotted", "dashed", "charcoal", "a picture"])
+@pytest.mark.parametrize("texture", [*MADE, "a picture"])
 def test_textured_draws_are_pure_too(texture, tmp_path):
     if texture == "a picture":
         texture = str(tmp_path / "line.png")

@@ -14,6 +14,7 @@ from glshim.options import describe, parse_capture, parse_frames, parse_style, r
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
 from stylers.raskar import Raskar
+from stylers.strokes import MADE
 
 
 def test_a_name_gives_the_defaults() -> None:
@@ -45,7 +46,7 @@ def test_values_are_numbers_colours_switches_and_words() -> None:
         ("raskar:texture=away/line.png", "/away/line.png': No such file or directory; give none,"),
         ("raskar:texture=/", "cannot read '/' as a picture"),
         ("raskar:texture=/dev/null", "no picture that Pillow knows; give none, dotted,"),
-        ("raskar:texture=", "give none, dotted, dashed, charcoal or PATH.png"),
+        ("raskar:texture=", "give none, dotted, dashed, pen, charcoal, "),
         ("raskar:texture_on=ridges", "silhouettes, all"),
     ],
 )
@@ -107,7 +108,7 @@ def line(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize("name", ["none", "dotted", "dashed", "charcoal"])
+@pytest.mark.parametrize("name", ["none", *MADE])
 def test_a_texture_is_a_word(name: str) -> None:
     assert parse_style(f"raskar:texture={name}") == Raskar(texture=name)
 

@@ -1,0 +1,55 @@
+"""What strokes are drawn with: textures made here, and picture files.
+
+Columns run along a stroke and tile, rows across it, the first on the outside, the last one on the
+inside (McGuire & Hughes 2004, section 4 and figure 6). Made for a width and a length in pixels: so
+dots are round, and the tooth of the paper is as coarse on wide lines as on fine ones.
+
+``python -m stylers.strokes OUT [WIDTH]`` writes them as PNGs to look at.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+
+import numpy as np
+
+from glshim.styling.pictures import Image, is_coloured, read_image
+from stylers.strokes.fields import Doubles
+from stylers.strokes.fur import cartoon_fur
+from stylers.strokes.marks import dashed, dotted
+from stylers.strokes.media import charcoal, pen, watercolour
+
+_Make = Callable[[float, float], Doubles]
+
+_MADE: dict[str, tuple[_Make, Callable[[float], float]]] = {
+    "dotted": (dotted, lambda width: 2.0 * width),
+    "dashed": (dashed, lambda width: 5.0 * width),
+    "pen": (pen, lambda width: max(256.0, 30.0 * width)),
+    "charcoal": (charcoal, lambda width: max(256.0, 24.0 * width)),
+    "watercolour": (watercolour, lambda width: max(256.0, 24.0 * width)),
+    "cartoon_fur": (cartoon_fur, lambda width: 20.0 * width),
+}
+"""The function that makes the ink of a texture, and the length that suits a width, in pixels."""
+MADE = tuple(_MADE)
+"""The textures made here, by name."""
+
+
+def made(name: str, width: float, length: float) -> tuple[Image, float, bool]:
+    """The image of a texture for lines of a width in pixels, the pixels after which it repeats
+    (length, or where that is 0 what suits), and whether it has colours of its own."""
+    if name in _MADE:
+        make, suits = _MADE[name]
+        length = length or suits(width)
+        return _image(make, width, length), length, False
+    image = read_image(name)
+    height, columns = image.pixels.shape[:2]
+    return image, length or width * columns / height, is_coloured(image)
+
+
+@lru_cache(maxsize=16)
+def _image(make: _Make, width: float, length: float) -> Image:
+    ink = make(width, length)
+    pixels = np.full((*ink.shape, 4), 255, np.uint8)
+    pixels[..., 3] = np.rint(np.clip(ink, 0.0, 1.0) * 255.0).astype(np.uint8)
+    return Image(pixels)
