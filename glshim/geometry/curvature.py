@@ -177,18 +177,23 @@ def towards(positions: Floats, eye: Doubles) -> Floats:
 
 
 def vertex_normals(positions: Floats, triangles: Indices) -> Doubles:
-    """(V, 3) unit normals, exact for vertices on a sphere (Max 1999); zero for no triangle."""
+    """(V, 3) unit normals, exact for vertices on a sphere (Max 1999, "Weights for computing vertex
+    normals from facet normals"); zero for no triangle.
+
+    Triangles below a hundredth of the greatest at a vertex have no say in it: such small ones are
+    often folded over (the tip of GLUT's teapot is ringed by them).
+    """
     faces = _Faces(positions, triangles)
-    total = np.zeros((3, len(positions)))
+    greatest, total = np.zeros(len(positions)), np.zeros((3, len(positions)))
     lengths = (faces.sides**2).sum(axis=1)
-    with np.errstate(divide="ignore"):
-        weights = 2 * faces.size / (lengths[[1, 2, 0]] * lengths[[2, 0, 1]])
-    normal = cross(faces.t, faces.b)
     for k in range(3):
+        np.maximum.at(greatest, faces.corners[:, k], faces.size)
+    for k in range(3):
+        at = faces.corners[:, k]
+        weight = faces.size / (lengths[k - 1] * lengths[k - 2])
+        weight[faces.size < 0.01 * greatest[at]] = 0.0
         for axis in range(3):
-            total[axis] += np.bincount(
-                faces.corners[:, k], weights[k] * normal[:, axis], len(positions)
-            )
+            total[axis] += np.bincount(at, weight * faces.n[:, axis], len(positions))
     return unit(np.ascontiguousarray(total.T))
 
 

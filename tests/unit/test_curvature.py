@@ -263,6 +263,18 @@ def test_normals_of_zero_and_normals_against_the_winding_stay_finite():
         assert all(np.isfinite(part).all() for part in found)
 
 
+def test_tiny_triangles_folded_over_do_not_turn_normals():
+    points, triangles, _, _ = torus(24, 12)
+    # A fan about the middle of a triangle, whose middle lies outside it by a hair.
+    corners = points[triangles[0]]
+    hair = corners[0] + 0.01 * (corners[0] - corners[1:].mean(axis=0))
+    i, j, k = triangles[0]
+    fan = np.int32([[i, j, len(points)], [j, k, len(points)], [k, i, len(points)]])
+    folded = np.concatenate((triangles[1:], fan))
+    normals = vertex_normals(np.concatenate((points, [hair])).astype(np.float32), folded)
+    assert (rows(normals[:-1], torus_normals(24, 12)) > 0.98).all()
+
+
 def test_no_triangles():
     empty = np.empty((0, 3))
     for points in (np.empty((0, 3), np.float32), np.zeros((4, 3), np.float32)):
