@@ -42,7 +42,7 @@ class Curvature(NamedTuple):
 def principal_curvatures(
     positions: Floats, triangles: Indices, normals: Floats | None = None
 ) -> Curvature:
-    """Rusinkiewicz 2004, section 3.
+    """Principal curvatures and directions of each vertex (Rusinkiewicz 2004).
 
     positions (V, 3), triangles (T, 3) wound alike, normals (V, 3) of unit length, or None for
     `vertex_normals`.
@@ -84,7 +84,7 @@ def curvature_derivatives(positions: Floats, triangles: Indices, curvature: Curv
     """(V, 4) float32, how the tensor of curvature changes along the surface, 1 / length squared:
     C111, C112, C122, C222 of the symmetric tensor of rank 3 in the frame (d1, d2).
 
-    Rusinkiewicz 2004, section 4.
+    Rusinkiewicz 2004, estimated like the curvatures, from what those differ by.
     """
     faces = _Faces(positions, triangles)
     first, second = curvature.d1.astype(np.float64), curvature.d2.astype(np.float64)
@@ -149,7 +149,7 @@ def radial_derivative(
 
     ``C(w, w, w) - 2 t^2 cot(angle of n and e)``, where t is the radial torsion: w itself turns
     with the surface. On a zero of radial curvature, -t^2 is the Gaussian curvature (DeCarlo et
-    al. 2004, section 3.1). derivatives as `curvature_derivatives` has them.
+    al. 2004). derivatives as `curvature_derivatives` has them.
     """
     k1, k2, d1, d2 = curvature
     sight = towards(positions, eye)
@@ -170,8 +170,9 @@ def towards(positions: Floats, eye: Doubles) -> Floats:
     towards the viewer (w = 0). ``inv(modelview) @ Camera.viewpoint`` is one.
     """
     spot = np.asarray(eye, np.float64)
-    if spot[3] == 0.0:
-        direction = (spot[:3] / max(float(np.linalg.norm(spot[:3])), 1e-300)).astype(np.float32)
+    length = float(np.linalg.norm(spot[:3]))
+    if abs(spot[3]) <= 1e-12 * length or spot[3] == 0.0:  # what an inverse leaves of w = 0
+        direction = (spot[:3] / max(length, 1e-300)).astype(np.float32)
         return np.broadcast_to(direction, np.shape(positions))
     return np.asarray((spot[:3] / spot[3]).astype(np.float32) - positions)
 
@@ -243,7 +244,7 @@ class _Faces:
 
     def _mixed(self) -> Doubles:
         """Voronoi areas of the corners; half and twice a quarter of an obtuse triangle (Meyer et
-        al. 2003, section 3.3)."""
+        al. 2003)."""
         # -2 / tan of the angle at corner k, times the area.
         lean = np.stack([(self.sides[k - 1] * self.sides[k - 2]).sum(axis=0) for k in range(3)])
         length = (self.sides**2).sum(axis=1)
@@ -265,7 +266,7 @@ class _Faces:
         at = self.corners[:, k]
         upright = normal[at]
         # A vector x of the tangent plane becomes x - s (n.x), s = (m + n) / (1 + m.n) for
-        # normals m of the vertex and n of the triangle; m has no part along t and b to lose.
+        # normals m of the vertex and n of the triangle. Of these, m alone has parts along t and b.
         scale = 1.0 / np.maximum(1.0 + dot(self.n, upright), 1e-6)
         lean = scale * dot(upright, self.t), scale * dot(upright, self.b)
         out = []

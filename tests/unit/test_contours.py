@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from glshim.geometry.camera import Camera
 from glshim.geometry.contours import (
     Segments,
     facing,
@@ -22,6 +23,7 @@ from glshim.geometry.curvature import (
     radial_curvature,
     vertex_normals,
 )
+from tests import look
 from tests.surfaces import TORUS, blob, grid, icosphere, torus, torus_normals
 
 EYES = [(2.0, 3.0, 4.0, 1.0), (0.3, -0.5, 0.8, 0.0), (-4.0, -6.0, -8.0, -2.0)]
@@ -160,6 +162,19 @@ def test_the_smooth_contour_of_a_sphere_is_a_circle(eye, radius):
     middle, along = found.ends.mean(axis=1), found.ends[:, 1] - found.ends[:, 0]
     left = np.cross(middle, along)
     assert (left @ spot > 0).all()
+
+
+@pytest.mark.parametrize("projection", [look.perspective(), look.orthographic()])
+def test_the_eye_of_a_camera(projection):
+    modelview = look.look_at((2, 3, 4)) @ np.diag((2.0, 2.0, 2.0, 1.0))
+    camera = Camera(modelview, projection, (0, 0, 100, 100))
+    points, triangles = icosphere(3)
+    by_hand = np.array((2.0, 3.0, 4.0, 0.0 if camera.orthographic else 2.0))
+    expected = smooth_contours(points, triangles, points, by_hand)
+    for eye in (np.linalg.inv(modelview) @ camera.viewpoint, camera.object_centre):
+        found = smooth_contours(points, triangles, points, eye)
+        assert np.array_equal(found.triangle, expected.triangle)
+        assert np.allclose(found.ends, expected.ends, atol=1e-5)
 
 
 def test_the_smooth_contour_converges():

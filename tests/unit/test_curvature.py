@@ -220,7 +220,8 @@ def test_an_eye_is_homogeneous():
     at = towards(points, np.array([2.0, 2.0, 5.0, 1.0]))
     assert np.allclose(at, [[1, 0, 2], [2, 2, 5]])
     assert np.allclose(towards(points, np.array([-4.0, -4.0, -10.0, -2.0])), at)
-    assert np.allclose(towards(points, np.array([0.0, 0.0, -7.0, 0.0])), [[0, 0, -1], [0, 0, -1]])
+    for w in (0.0, 1e-17, -1e-40):
+        assert np.allclose(towards(points, np.array([0.0, 0.0, -7.0, w])), [[0, 0, -1]] * 2)
 
 
 def test_frames_are_orthonormal_and_right_handed():
