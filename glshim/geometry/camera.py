@@ -45,6 +45,10 @@ class Camera:
         planes = tuple(zip(a, b, c, d, strict=True))
         return replace(self, modelview=np.eye(4), projection=clip, clip_planes=planes)
 
+    def under(self, modelview: Matrix) -> Camera:
+        """The same with another modelview."""
+        return replace(self, modelview=modelview)
+
     @property
     def mirrored(self) -> bool:
         """Whether modelview and projection together turn windings round (negative scale).

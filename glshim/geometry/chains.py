@@ -33,7 +33,7 @@ _LEAST = 0.5
 class Pattern:
     """What repeats along strokes."""
 
-    lengths: tuple[float, float, float, float]
+    lengths: tuple[float, ...]
     """Pixels after which it repeats on silhouettes, ridges, valleys and intersections; 0: lines
     of that kind have none."""
     middle: float = 0.0

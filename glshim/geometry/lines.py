@@ -45,7 +45,7 @@ their kind plus `GROUP` times (group - 3)."""
 GROUP = 16
 MARKED, BOUNDARY, SUGGESTIVE = 4, 5, 6
 
-_SHARP = np.radians(150.0)
+SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
 _ANGLE_GRAIN = 1e-3
 """Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
@@ -159,7 +159,7 @@ class _Seen:
         places = self._places
         owner = places.polygon[self.edges.polygon[first]]
         flipped = places.mirrored(self._camera)[owner]
-        skewed = ~_are_similarities(places.modelviews)[owner]
+        skewed = ~are_similarities(places.modelviews)[owner]
         if skewed.any():
             folds = folds.copy()
             linear = places.modelviews[owner[skewed], :3, :3]
@@ -262,7 +262,7 @@ def _together(edges: Edges, seen: _Seen, choice: Choice) -> _Found:
         # One ring an edge, from a back-facing polygon if it has one.
         from_behind = np.where(seen.front[one], other, one)
         folds = edges.folds[~across]
-        sharp, hollow = folds <= _SHARP, folds > np.pi
+        sharp, hollow = folds <= SHARP, folds > np.pi
         for kind, which in ((RING, sharp), (CONTOUR, ~sharp & ~hollow), (HOLLOW, hollow)):
             found.append((kind, from_behind[which], None))
     if choice.ridge_angle is not None or choice.valley_angle is not None:
@@ -323,7 +323,7 @@ def _seams(lone: list[Edges]) -> Edges:
     return Edges(sides, each, planes, creases, each.astype(np.intp), *neighbours(sides, None))
 
 
-def _are_similarities(modelviews: Doubles) -> Flags:
+def are_similarities(modelviews: Doubles) -> Flags:
     """(M,) whether angles in object space are angles in eye space."""
     linear = modelviews[:, :3, :3]
     square = linear.transpose(0, 2, 1) @ linear

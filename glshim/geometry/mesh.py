@@ -17,7 +17,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.components import components, turned
 from glshim.geometry.fans import fans
 from glshim.geometry.vectors import cross, dot, unit
-from glshim.geometry.welding import mixed, weld
+from glshim.geometry.welding import weld
 
 __all__ = ["Mesh", "Report", "mesh", "weld"]
 

@@ -1,4 +1,6 @@
-from glshim.geometry.mesh import Mesh, mesh
+from glshim.geometry.mesh import mesh
+
+
 class Meshes:
     def __init__(self): self._k={}
     def tick(self): pass

@@ -12,7 +12,7 @@ import numpy as np
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
-from glshim.geometry.lines import lay_pattern
+from glshim.geometry.lines import Choice, lay_pattern
 from glshim.notices import say_once
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
 from glshim.render.canvas import Canvas
@@ -162,9 +162,10 @@ class Backend:
         for group in groups:
             first = group[0]
             records = self._harvest.records(group)
-            if first.choice.intersections and self._crossings is None:
+            crossing = isinstance(first.choice, Choice) and first.choice.intersections
+            if crossing and self._crossings is None:
                 say_once(f"{UNAVAILABLE}; the other lines are drawn")
-            elif first.choice.intersections and self._crossings:
+            elif crossing and self._crossings:
                 found = self._crossings.find(group, greater=greater, bits=bits)
                 if first.choice.pattern is not None:
                     lay_pattern(found, first.camera, first.choice.pattern)

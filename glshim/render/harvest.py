@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edges import Edges, edges, edges_of_each, join
+from glshim.geometry.feature_lines import Features, feature_lines
 from glshim.geometry.gather import Places, together
 from glshim.geometry.lines import lines
+from glshim.render.objects import Objects
 from glshim.styling.protocol import Draw
 
 _LARGE = 4096
@@ -23,14 +25,20 @@ class Harvest:
 
     def __init__(self, cache_bytes: int) -> None:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
+        self._objects = Objects()
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
 
     def tick(self) -> None:
         """A layer has passed."""
         self._cache.tick()
+        self._objects.tick()
 
     def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
-        """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview."""
+        """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
+        features of the meshes that they make together."""
+        choice = group[0].choice
+        if isinstance(choice, Features):
+            return feature_lines(self._objects.of(group), group[0].camera, choice)
         large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
         small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
         if len(small) == 1:
@@ -41,7 +49,7 @@ class Harvest:
             parts.append((found, Places.one(draw.camera.modelview, len(found.planes))))
         if small:
             parts.append(self._gathered(small))
-        return lines(parts, group[0].camera, group[0].choice)
+        return lines(parts, group[0].camera, choice)
 
     def _edges(self, batch: PolygonBatch) -> Edges:
         """The edges of a batch, found again by key."""

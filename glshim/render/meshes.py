@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
-from glshim.geometry.edges import join
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.render.driver import gl
+from glshim.render.objects import joined
 
 WIDTH = 2048
 """Texels in a row of a texture."""
@@ -85,22 +85,12 @@ class Residents:
 
     def mesh(self, batches: Sequence[PolygonBatch]) -> Mesh:
         """The mesh alone."""
-        return self._meshes.find(batches[0] if len(batches) == 1 else _joined(batches))
+        return self._meshes.find(joined(batches))
 
     def release(self) -> None:
         """What was made for a moment goes."""
         while self._passing:
             self._passing.pop().free()
-
-
-def _joined(batches: Sequence[PolygonBatch]) -> PolygonBatch:
-    whole = join(batches)
-    keys = tuple(batch.key for batch in batches)
-    if None in keys:
-        return whole
-    return PolygonBatch(
-        whole.positions, whole.corners, whole.starts, whole.boundary, ("joined", keys)
-    )
 
 
 def _resident(mesh: Mesh) -> Resident:

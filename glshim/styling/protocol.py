@@ -24,7 +24,7 @@ import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any, ClassVar, Literal, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +32,12 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
+from glshim.geometry.feature_lines import Features
 from glshim.geometry.lines import Choice
 from glshim.styling.pictures import Image, read_image
+
+if TYPE_CHECKING:
+    from glshim.styling.passes import Pass
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
@@ -260,7 +264,8 @@ class Draw:
 
     batch: PolygonBatch
     camera: Camera
-    choice: Choice
+    choice: Choice | Features
+    """Which lines; by what polygons show, or by the mesh that they make."""
     shader: Shader
     uniforms: Mapping[str, Uniform]
     """The shader's own uniforms by name."""
@@ -283,7 +288,7 @@ class Styler:
         return "app"
 
     @abstractmethod
-    def draws(self, layer: Layer) -> Iterable[Draw]:
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""
         raise NotImplementedError
 

@@ -7,21 +7,138 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib.resources import files
-from math import cos, radians
+from math import radians
 from typing import ClassVar
 
-from glshim.styling.passes import MeshShader, Pass, bodies
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.geometry.chains import Pattern
+from glshim.geometry.feature_lines import Features
+from glshim.geometry.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
+from glshim.geometry.raskar import INWARD
+from glshim.styling.passes import Pass
+from glshim.styling.pictures import Image
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from stylers import strokes
+from stylers.raskar import SHADER
 
-_HERE = files(__package__)
-THIN = MeshShader("edge_mesh thin", *((_HERE / f"thin.{kind}.glsl").read_text("utf-8") for kind in ("vert", "frag")))
+_SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
+_DASH = 12.0
+"""Pixels of a dash of a hidden line with the gap after it."""
+_DIMMED = 0.3
+"""Share of the ink of dimmed lines."""
+
+
+def _width(what: str) -> float:
+    width: float = option(2.5, help=f"width of {what}", low=0.5, high=64.0, unit="px")
+    return width
+
+
+def _colour(what: str) -> Colour:
+    colour: Colour = option("#000000", help=f"colour of {what}")
+    return colour
 
 
 @dataclass(frozen=True)
 class EdgeMesh(Styler):
+    """Ink on the feature edges of recovered meshes (McGuire & Hughes 2004)."""
+
     name: ClassVar[str] = "edge_mesh"
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+
+    contours: bool = option(True, help="ink where the surface turns away from the viewer")
+    ridges: bool = option(True, help="ink where the dihedral angle is less than ridge_angle")
+    valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
+    boundary: bool = option(True, help="ink on edges that have one polygon only")
+    contour_width: float = _width("contours, outside the object")
+    ridge_width: float = _width("ridges")
+    valley_width: float = _width("valleys")
+    boundary_width: float = _width("boundary edges")
+    contour_ink: Colour = _colour("contours")
+    ridge_ink: Colour = _colour("ridges")
+    valley_ink: Colour = _colour("valleys")
+    boundary_ink: Colour = _colour("boundary edges")
+    ridge_angle: float = option(
+        120.0, help="a ridge has a lesser dihedral angle", low=0.0, high=360.0, unit="degrees"
+    )
+    valley_angle: float = option(
+        240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
+    )
+    hidden: str = option(
+        "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
+    )
+    texture: str = option(
+        "none",
+        help="what strokes are drawn with; dark is ink in a grey picture, others keep colours",
+        choices=("none", *strokes.MADE),
+        picture=True,
+    )
+    texture_length: float = option(
+        0.0,
+        help="length of a stroke after which the texture repeats; 0: what suits it",
+        low=0.0,
+        high=4096.0,
+        unit="px",
+    )
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
-        yield Pass(THIN, bodies(layer), "edges", "lines", uniforms={"wanted": 31, "turns": (cos(radians(120)), cos(radians(120))), "inks": ((0.,0.,0.),(1.,0.,0.),(0.,.6,0.),(0.,0.,1.),(1.,0.,1.))})
+        """One draw a batch; batches that share a camera are one mesh."""
+        pattern, image, tinted = self._stroke()
+        wanted = Features(
+            self.contours,
+            radians(self.ridge_angle) if self.ridges else None,
+            radians(self.valley_angle) if self.valleys else None,
+            boundary=self.boundary,
+            pattern=pattern,
+        )
+        uniforms: dict[str, Uniform] = {
+            "widths": self._widths,
+            "inks": self._inks,
+            "ridge_turn": (1.0, 0.0),
+            "valley_turn": (1.0, 0.0),
+            "textured": float(image is not None),
+            "tinted": tinted,
+            "hidden_share": {"none": 0.0, "dimmed": _DIMMED}.get(self.hidden, 1.0),
+            "dashes": self._dashes(pattern),
+        }
+        for batch, camera in layer.items:
+            yield Draw(batch, camera, wanted, SHADER, uniforms, image)
+
+    @property
+    def _widths(self) -> tuple[float, ...]:
+        found = GROUPS * [self.ridge_width]
+        found[_SILHOUETTES], found[_VALLEYS] = self.contour_width, self.valley_width
+        found[BOUNDARY] = self.boundary_width
+        return tuple(found)
+
+    @property
+    def _inks(self) -> tuple[Colour, ...]:
+        found = GROUPS * [self.ridge_ink]
+        found[_SILHOUETTES], found[_VALLEYS] = self.contour_ink, self.valley_ink
+        found[BOUNDARY] = self.boundary_ink
+        return tuple(found)
+
+    def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
+        """How a texture repeats, or the dashes of hidden lines; its image; 1.0 where that takes
+        the colour of the ink."""
+        middle = self.contour_width / 2.0 - INWARD
+        if self.texture == "none":
+            if self.hidden != "dashed":
+                return None, None, 1.0
+            return Pattern((_DASH,) * GROUPS, middle), None, 1.0
+        width = self.contour_width
+        image, length, coloured = strokes.made(self.texture, width, self.texture_length)
+        lengths = tuple(length * own / width for own in self._widths)
+        return Pattern(lengths, middle), image, 0.0 if coloured else 1.0
+
+    def _dashes(self, pattern: Pattern | None) -> float:
+        """Dashes of hidden lines for each repeat of the pattern."""
+        if self.hidden != "dashed" or pattern is None:
+            return 0.0
+        return max(round(pattern.lengths[_SILHOUETTES] / _DASH), 1.0)
