@@ -25,8 +25,9 @@ class Meshes:
     def __init__(self, tolerance: float = 0.0, most_bytes: int = 256 << 20) -> None:
         """tolerance in object units, see `weld`; most_bytes bounds what is held."""
         self._tolerance = tolerance
-        self._keyed: AgingCache[Mesh] = AgingCache(most_bytes // 2)
-        self._alike: AgingCache[tuple[Mesh, ...]] = AgingCache(most_bytes // 2)
+        self._share = most_bytes // 2
+        self._keyed: AgingCache[Mesh] = AgingCache(self._share)
+        self._alike: AgingCache[tuple[Mesh, ...]] = AgingCache(self._share)
         self.recovered = 0
         """How often connectivity was recovered, and not found."""
 
@@ -59,6 +60,8 @@ class Meshes:
             self.recovered += 1
         # The latest first: most streams go on where they were.
         known = (found, *known[: _MOST_ALIKE - 1])
+        while len(known) > 1 and sum(one.nbytes for one in known) > self._share:
+            known = known[:-1]
         self._alike.put(structure, known, sum(one.nbytes for one in known))
         return found
 
