@@ -59,9 +59,7 @@ def meet(triangles: Indices, count: int) -> Sides:
     many = sizes > 2
     crowded = order[np.repeat(many, sizes)] if many.any() else order[:0]
     crowds = np.cumsum(sizes[many]) - sizes[many]
-    return Sides(
-        np.minimum(one, other), np.maximum(one, other), crowded, np.asarray(crowds)
-    )
+    return Sides(np.minimum(one, other), np.maximum(one, other), crowded, np.asarray(crowds))
 
 
 def repeated(triangles: Indices, sides: Sides) -> Rows:
@@ -76,7 +74,7 @@ def repeated(triangles: Indices, sides: Sides) -> Rows:
     corners = triangles[suspects]
     turn = corners.argmin(axis=1)[:, None] + np.arange(3)
     corners = np.take_along_axis(corners, turn % 3, axis=1)
-    order = np.lexsort((suspects, *corners.T))
+    order = np.lexsort(corners.T)  # stable: the one that came first stays first
     ordered = corners[order]
     same = np.flatnonzero((ordered[1:] == ordered[:-1]).all(axis=1))
     return np.asarray(suspects[order[same + 1]])
@@ -108,7 +106,7 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
     met = np.flatnonzero(b >= 0)
     starts, ends = triangles.ravel(), triangles[:, _NEXT].ravel()
     against = starts[a[met]] == starts[b[met]]
-    first, second = faces[met].T
+    first, second = faces.take(met, axis=0).T
     turn = turned(len(triangles), first, second, against)
     twisted = np.zeros(len(a), np.bool_)
     twisted[met] = against ^ turn[first] ^ turn[second]
@@ -123,6 +121,4 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
         triangles = triangles.copy()
         triangles[turn] = triangles[turn][:, (0, 2, 1)]
     opposite[:, 1] = np.where(b >= 0, across[b], edges[:, 0])
-    return Adjacency(
-        triangles, edges, faces, opposite, flags[a], manifold[a], turn, twisted
-    )
+    return Adjacency(triangles, edges, faces, opposite, flags[a], manifold[a], turn, twisted)

@@ -31,9 +31,7 @@ def fans(batch: PolygonBatch, vertex: Indices) -> tuple[Indices, Indices, Flags]
     return triangles[sound], polygon[sound], true[sound]
 
 
-def _distinct(
-    corners: Indices, starts: Indices, true: Flags
-) -> tuple[Indices, Indices, Flags]:
+def _distinct(corners: Indices, starts: Indices, true: Flags) -> tuple[Indices, Indices, Flags]:
     """Polygons without the corners that the next one repeats: their sides have no length, and
     the sides before them lead to the next just as well."""
     starts = starts.astype(np.int64)

@@ -96,7 +96,8 @@ class Mesh:
 
     @cached_property
     def _area_vectors(self) -> Doubles:
-        a, b, c = (self.positions[self.triangles[:, k]].astype(np.float64) for k in range(3))
+        points = self.positions.astype(np.float64)
+        a, b, c = (points.take(corner, axis=0) for corner in self.triangles.T)
         return cross(b - a, c - a)
 
     @cached_property
@@ -111,7 +112,7 @@ class Mesh:
         Wuethrich 1998). Zero where there is none."""
         total = np.zeros((3, len(self.positions)))
         points = self.positions.astype(np.float64)
-        corners = [points[self.triangles[:, k]] for k in range(3)]
+        corners = [points.take(corner, axis=0) for corner in self.triangles.T]
         with np.errstate(invalid="ignore", over="ignore"):
             area = np.sqrt(dot(self._area_vectors, self._area_vectors))
             for k in range(3):
@@ -183,8 +184,8 @@ class Mesh:
         """
         if len(positions) != len(self.weld):
             return None
-        points = np.asarray(positions, np.float32) + np.float32(0.0)
-        held = points[self.first]
+        points = np.asarray(positions, np.float32)
+        held = points.take(self.first, axis=0) + np.float32(0.0)
         probe = slice(0, 1024)  # most meshes that are not meant show it at once
         if not (self._held(points, held, probe) and self._held(points, held, slice(None))):
             return None
@@ -200,7 +201,7 @@ class Mesh:
     def _held(self, points: Floats, held: Floats, part: slice) -> bool:
         """Whether a part of the points (N, 3) lie at their vertices, held (V, 3)."""
         points, vertex = points[part], self.weld[part]
-        there = held[vertex]
+        there = held.take(vertex, axis=0)
         if np.array_equal(points, there):
             return True
         at = np.flatnonzero((points != there).any(axis=1))

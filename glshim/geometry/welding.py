@@ -73,7 +73,8 @@ def _equals(points: Floats) -> Indices:
     key = mixed(bits.T)
     order = np.argsort(key)
     leader = _first_of_runs(order, key[order])
-    if not np.array_equal(bits[leader], bits):  # two points met in one key: by all 96 bits then
+    if not np.array_equal(bits.take(leader, axis=0), bits):
+        # Different points met in one key: by all their 96 bits then.
         order = np.lexsort(bits.T)
         rows = bits[order]
         news = np.concatenate(([True], (rows[1:] != rows[:-1]).any(axis=1)))
@@ -115,7 +116,7 @@ def _near(points: Doubles, tolerance: float) -> list[tuple[Indices, Indices]]:
     scaled = points / (2.0 * tolerance * _SLACK)
     found: list[tuple[Indices, Indices]] = []
     for shift in product((0.0, 0.5), repeat=3):
-        cells = np.floor(scaled + shift) + 0.0
+        cells = np.floor(scaled + shift)
         key = mixed(cells.view(np.int64).T)
         order = np.argsort(key)
         found += _within_cells(points, tolerance, order.astype(np.int32), key[order])

@@ -42,9 +42,7 @@ def triangles_of(rows: int, columns: int, is_open: bool) -> np.ndarray:
     i, j = (a.ravel() for a in np.meshgrid(np.arange(rows - is_open), np.arange(columns),
                                            indexing="ij"))  # fmt: skip
     ahead, beside = (i + 1) % rows, (j + 1) % columns
-    a, b, c, d = (
-        x * columns + y for x, y in ((i, j), (ahead, j), (ahead, beside), (i, beside))
-    )
+    a, b, c, d = (x * columns + y for x, y in ((i, j), (ahead, j), (ahead, beside), (i, beside)))
     return np.concatenate((np.stack((a, b, c), axis=1), np.stack((a, c, d), axis=1)))
 
 

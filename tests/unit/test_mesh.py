@@ -224,7 +224,7 @@ def test_a_surface_sent_twice_counts_once() -> None:
 
 def test_degenerates_and_nan_are_dropped() -> None:
     b = triangulated(torus())
-    bad = batch([(np.nan, 0, 0), (0, np.inf, 0), (1, 0, 0), (0, 1, 0), (2, 0, 0), (3, 0, 0)],
+    bad = batch([(np.nan, 0, 0), (0.5, np.inf, 0.5), (1, 0, 1), (0, 1, 0), (2, 0, 2), (3, 0, 3)],
                 [[0, 2, 3], [1, 2, 3], [2, 4, 5], [2, 2, 3], [0, 0, 0], [1, 1, 4]])  # fmt: skip
     m = mesh(join([bad, exploded(b)]))
     assert m.polygon.min() == 6
@@ -261,9 +261,7 @@ def test_weld_exactly() -> None:
 def test_weld_survives_clashing_keys(monkeypatch: pytest.MonkeyPatch) -> None:
     points = np.random.default_rng(0).integers(-3, 3, (500, 3)).astype(np.float32)
     expected = weld(points)
-    monkeypatch.setattr(
-        welding, "mixed", lambda columns: next(iter(columns)).astype(np.uint64)
-    )
+    monkeypatch.setattr(welding, "mixed", lambda columns: next(iter(columns)).astype(np.uint64))
     for a, b in zip(weld(points), expected, strict=True):
         np.testing.assert_array_equal(a, b)
     assert len(expected[0]) == len(np.unique(points, axis=0))
@@ -474,6 +472,15 @@ def test_moved_within_the_tolerance() -> None:
     assert again is not None
     assert again.triangles is m.triangles
     assert m.moved(b.positions + random.random(b.positions.shape) * 1e-1) is None
+    # Welded where they were equal, found where they are near.
+    assert mesh(b, 1e-3).moved(b.positions + random.random(b.positions.shape) * 1e-4) is not None
+    # A chain is one vertex, however far its ends; it may move as a whole.
+    links = 0.9e-3 * np.arange(5)[:, None] * np.array([1.0, 0, 0])
+    chain = batch([*links, (0, 1, 0), (0, 0, 1)], [[k, 5, 6] for k in range(5)])
+    m = mesh(chain, 1e-3)
+    assert len(m.positions) == 3
+    assert m.moved(chain.positions[:, [1, 2, 0]]) is not None
+    assert m.moved(chain.positions * np.float32(1.1)) is None
 
 
 def test_nan_corners_do_not_hinder_finding() -> None:
@@ -491,9 +498,7 @@ def test_meshes_recover_once() -> None:
     for frame in range(5):
         for b in (ring, ball):
             found = meshes.find(waved(b, 0.3 * frame))
-            np.testing.assert_array_equal(
-                found.positions, mesh(waved(b, 0.3 * frame)).positions
-            )
+            np.testing.assert_array_equal(found.positions, mesh(waved(b, 0.3 * frame)).positions)
             meshes.tick()
     assert meshes.recovered == 2
     assert meshes.find(waved(ring, 1.2)) is meshes.find(waved(ring, 1.2))
