@@ -35,6 +35,7 @@ from glshim.geometry.lines import (
     run_on,
 )
 from glshim.geometry.mesh import Mesh
+from glshim.geometry.smooth_lines import SmoothPieces
 from glshim.geometry.vectors import Doubles, unit
 
 Floats = NDArray[np.float32]
@@ -53,6 +54,13 @@ class Features:
     """A valley's dihedral angle is more, radians; None for no valleys."""
     marked: bool = False
     boundary: bool = False
+    smooth: bool = False
+    """Whether contours on smooth surfaces run through polygons, where interpolated normals are
+    perpendicular to the view, rather than along edges."""
+    suggestive: bool = False
+    """Suggestive contours."""
+    tolerance: float = 0.0
+    """Distance in object units at which positions count as one vertex."""
     pattern: Pattern | None = None
     """What repeats along strokes, or None."""
 
@@ -81,13 +89,20 @@ class EdgeLines:
     def planes(self) -> Doubles:
         """(T, 4) the unit normal of each triangle, minus its product with a corner."""
         corner = self.mesh.positions[self.mesh.triangles[:, 0]].astype(np.float64)
-        normals = self.mesh.normals
-        return np.c_[normals, -np.einsum("ti,ti->t", normals, corner)]
+        normals: Doubles = self.mesh.normals
+        return np.asarray(np.c_[normals, -np.einsum("ti,ti->t", normals, corner)])
 
     @cached_property
     def folds(self) -> Doubles:
         """(E,) `dihedral` angles from the winding side of A, object space."""
         return self.folds_in(None)
+
+    @cached_property
+    def pieces(self) -> SmoothPieces:
+        """The mesh cut open at its creases."""
+        creases = np.zeros(len(self.mesh.edges), np.bool_)
+        creases[self.edges.rows] = np.abs(self.folds - np.pi) >= np.pi - SHARP
+        return SmoothPieces(self.mesh, creases)
 
     def folds_in(self, linear: Doubles | None) -> Doubles:
         """The same in the space that a linear part (3, 3) leads to."""
@@ -109,8 +124,12 @@ class EdgeLines:
         if wanted.contours:
             rows = np.flatnonzero(contours)
             folds = self.folds[rows]
-            kind = np.select([folds <= SHARP, folds <= np.pi], [RING, CONTOUR], HOLLOW)
-            pieces.append(seen.records(rows, kind, outline=True))
+            if wanted.smooth:
+                sharp = folds <= SHARP
+                rows, folds = rows[sharp], folds[sharp]
+                pieces.append(self.pieces.contours(modelview, camera))
+            shape = np.select([folds <= SHARP, folds <= np.pi], [RING, CONTOUR], HOLLOW)
+            pieces.append(seen.records(rows, shape, outline=True))
         creases = self.plain & ~contours & ~self.inner
         for angle, kind in ((wanted.ridge_angle, RIDGE), (wanted.valley_angle, VALLEY)):
             if angle is not None:
@@ -122,6 +141,8 @@ class EdgeLines:
         if wanted.boundary:
             rows = np.flatnonzero(self.open)
             pieces.append(seen.records(rows, FIN + GROUP * (BOUNDARY - 3), outline=True))
+        if wanted.suggestive:
+            pieces.append(self.pieces.suggestive(modelview, camera))
         return np.concatenate(pieces) if pieces else np.empty((0, RECORD), np.float32)
 
 

@@ -140,7 +140,7 @@ class Backend:
             say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
             return
         if self._runner is None:
-            self._runner = Runner(self.pen.context, self._cache_bytes)
+            self._runner = Runner(self.pen.context, self._harvest.objects, self._cache_bytes)
         self._runner.run(
             passes, window, box, self._depth, self._textures,
             greater=greater, hair=hair_of(bits),

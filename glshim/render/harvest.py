@@ -25,20 +25,22 @@ class Harvest:
 
     def __init__(self, cache_bytes: int) -> None:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
-        self._objects = Objects()
+        self.objects = Objects(cache_bytes)
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
 
     def tick(self) -> None:
         """A layer has passed."""
         self._cache.tick()
-        self._objects.tick()
+        self.objects.tick()
 
     def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
         """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
         features of the meshes that they make together."""
         choice = group[0].choice
         if isinstance(choice, Features):
-            return feature_lines(self._objects.of(group), group[0].camera, choice)
+            items = [(draw.batch, draw.camera.modelview) for draw in group]
+            placed = self.objects.placed(items, choice.tolerance)
+            return feature_lines(placed, group[0].camera, choice)
         large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
         small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
         if len(small) == 1:

@@ -17,10 +17,9 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
 from glshim.geometry.mesh import Mesh
-from glshim.geometry.meshes import Meshes
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.render.driver import gl
-from glshim.render.objects import joined
+from glshim.render.objects import Objects
 
 WIDTH = 2048
 """Texels in a row of a texture."""
@@ -58,15 +57,14 @@ class Residents:
     """Recovers meshes of bodies and keeps what is asked for again. Use it inside the guard.
     most_bytes bounds the driver's memory."""
 
-    def __init__(self, most_bytes: int) -> None:
-        self._meshes = Meshes()
+    def __init__(self, objects: Objects, most_bytes: int) -> None:
+        self._objects = objects
         self._kept: AgingCache[Resident] = AgingCache(most_bytes, drop=Resident.free)
         self._passing: list[Resident] = []
 
     def tick(self) -> None:
         """A layer has passed."""
         self._kept.tick()
-        self._meshes.tick()
 
     def find(self, batches: Sequence[PolygonBatch]) -> Resident:
         """The mesh that batches of one object space make together. Valid until `release`."""
@@ -76,16 +74,11 @@ class Residents:
             found = self._kept.get(keys)
             if found is not None:
                 return found
-        mesh = self.mesh(batches)
-        made = _resident(mesh)
+        made = _resident(self._objects.mesh(batches))
         if still:
             return self._kept.put(keys, made, made.nbytes)
         self._passing.append(made)
         return made
-
-    def mesh(self, batches: Sequence[PolygonBatch]) -> Mesh:
-        """The mesh alone."""
-        return self._meshes.find(joined(batches))
 
     def release(self) -> None:
         """What was made for a moment goes."""

@@ -2,54 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
+from glshim.caches import AgingCache
 from glshim.geometry.edges import join
 from glshim.geometry.feature_lines import EdgeLines
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
-from glshim.styling.protocol import Draw
 
 
 class Objects:
-    """Recovers meshes, and finds again what they gave."""
+    """Recovers meshes, and finds again what they gave. most_bytes bounds the memory."""
 
-    def __init__(self) -> None:
-        self._meshes = Meshes()
+    def __init__(self, most_bytes: int) -> None:
+        self._most_bytes = most_bytes
+        self._meshes: dict[float, Meshes] = {}
+        self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
         self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
 
     def tick(self) -> None:
         """A layer has passed."""
-        self._meshes.tick()
+        self._whole.tick()
+        for meshes in self._meshes.values():
+            meshes.tick()
 
-    def of(self, draws: Sequence[Draw]) -> list[tuple[EdgeLines, NDArray[np.float64]]]:
-        """The objects of draws, each with its modelview (4, 4): batches that share one, even
-        across glBegin and lists, are one object."""
-        together: dict[bytes, list[Draw]] = {}
-        for draw in draws:
-            together.setdefault(draw.camera.modelview.tobytes(), []).append(draw)
-        found = []
-        for alike in together.values():
-            mesh = self._meshes.find(joined([draw.batch for draw in alike]))
-            lines = self._lines.get(mesh)
-            if lines is None:
-                lines = self._lines[mesh] = EdgeLines(mesh)
-            found.append((lines, alike[0].camera.modelview))
+    def mesh(self, batches: Sequence[PolygonBatch], tolerance: float = 0.0) -> Mesh:
+        """The mesh that batches of one object space make together; vertices weld within the
+        tolerance, object units."""
+        if tolerance not in self._meshes:
+            self._meshes[tolerance] = Meshes(tolerance, self._most_bytes)
+        meshes = self._meshes[tolerance]
+        if len(batches) == 1:
+            return meshes.find(batches[0])
+        keys: tuple[Hashable, ...] = tuple(batch.key for batch in batches)
+        if None in keys:
+            return meshes.find(join(batches))
+        found = self._whole.get((keys, tolerance))
+        if found is None:
+            found = meshes.find(join(batches))
+            self._whole.put((keys, tolerance), found, found.nbytes)
         return found
 
+    def lines(self, batches: Sequence[PolygonBatch], tolerance: float) -> EdgeLines:
+        """What is known of the mesh's edges whatever the viewer."""
+        mesh = self.mesh(batches, tolerance)
+        found = self._lines.get(mesh)
+        if found is None:
+            found = self._lines[mesh] = EdgeLines(mesh)
+        return found
 
-def joined(batches: Sequence[PolygonBatch]) -> PolygonBatch:
-    """Batches in one object space as one, with a key if all have one."""
-    if len(batches) == 1:
-        return batches[0]
-    whole, keys = join(batches), tuple(batch.key for batch in batches)
-    if None in keys:
-        return whole
-    return PolygonBatch(
-        whole.positions, whole.corners, whole.starts, whole.boundary, ("joined", keys)
-    )
+    def placed(
+        self,
+        items: Sequence[tuple[PolygonBatch, NDArray[np.float64]]],
+        tolerance: float,
+    ) -> list[tuple[EdgeLines, NDArray[np.float64]]]:
+        """Batches, each under its modelview (4, 4), as objects: those that share one, even across
+        glBegin and lists, are one object."""
+        together: dict[bytes, tuple[list[PolygonBatch], NDArray[np.float64]]] = {}
+        for batch, modelview in items:
+            together.setdefault(modelview.tobytes(), ([], modelview))[0].append(batch)
+        return [
+            (self.lines(batches, tolerance), modelview)
+            for batches, modelview in together.values()
+        ]

@@ -20,6 +20,7 @@ from glshim.render.cameras import inputs_of, scissor
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.meshes import UNITS, Posed, Resident, Residents
+from glshim.render.objects import Objects
 from glshim.render.programs import Program
 from glshim.render.stage import NOTHING_DRAWN, Stage
 from glshim.render.textures import Textures
@@ -43,9 +44,9 @@ _ARRAY_BUFFER = 0x8892
 class Runner:
     """Draws passes in one context. Make and use it inside the state guard."""
 
-    def __init__(self, context: Any, most_bytes: int) -> None:
+    def __init__(self, context: Any, objects: Objects, most_bytes: int) -> None:
         self._context = context
-        self.residents = Residents(most_bytes)
+        self.residents = Residents(objects, most_bytes)
         self._stage = Stage()
         self._programs: dict[Hashable, Program] = {}
         array = ctypes.c_uint()

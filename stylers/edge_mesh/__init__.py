@@ -61,6 +61,17 @@ class EdgeMesh(Styler):
     valley_angle: float = option(
         240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
     )
+    smooth: bool = option(
+        False, help="contours of smooth surfaces run through polygons, not along their edges"
+    )
+    suggestive: bool = option(False, help="ink where contours would appear for near viewpoints")
+    suggestive_width: float = option(
+        1.5, help="width of suggestive contours", low=0.5, high=64.0, unit="px"
+    )
+    suggestive_ink: Colour = _colour("suggestive contours")
+    tolerance: float = option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
     hidden: str = option(
         "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
     )
@@ -95,6 +106,9 @@ class EdgeMesh(Styler):
             radians(self.ridge_angle) if self.ridges else None,
             radians(self.valley_angle) if self.valleys else None,
             boundary=self.boundary,
+            smooth=self.smooth,
+            suggestive=self.suggestive,
+            tolerance=self.tolerance,
             pattern=pattern,
         )
         uniforms: dict[str, Uniform] = {
@@ -114,14 +128,14 @@ class EdgeMesh(Styler):
     def _widths(self) -> tuple[float, ...]:
         found = GROUPS * [self.ridge_width]
         found[_SILHOUETTES], found[_VALLEYS] = self.contour_width, self.valley_width
-        found[BOUNDARY] = self.boundary_width
+        found[BOUNDARY], found[SUGGESTIVE] = self.boundary_width, self.suggestive_width
         return tuple(found)
 
     @property
     def _inks(self) -> tuple[Colour, ...]:
         found = GROUPS * [self.ridge_ink]
         found[_SILHOUETTES], found[_VALLEYS] = self.contour_ink, self.valley_ink
-        found[BOUNDARY] = self.boundary_ink
+        found[BOUNDARY], found[SUGGESTIVE] = self.boundary_ink, self.suggestive_ink
         return tuple(found)
 
     def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
