@@ -67,7 +67,7 @@ class Cage:
         return max(quads or self.paint, key=lambda quad: float(normal(quad) @ direction))
 
     def extrude(self, quad: Quad, bones: str, move: Vector, scale: Vector = (1.0, 1.0, 1.0),
-                turned: tuple[float, ...] = (), paint: Vector = GREEN) -> list[Quad]:
+                turned: tuple[float, ...] = (), *, paint: Vector = GREEN) -> list[Quad]:
         """Draw a quad out: its place in the skin is taken by four sides and an end.
 
         Its corners are scaled about their middle, turned (pitch, yaw, roll) and moved; they follow
@@ -112,7 +112,7 @@ def half_cage() -> Cage:
     thigh, *_ = cage.extrude(cage.facing(DOWN), "thigh", (0.09, -0.15, 0.05), (1.0, 1, 0.86))
     knee, *_ = cage.extrude(thigh, "thigh shin", (0.0, -0.2, 0.04), (0.68, 1, 0.66))
     ankle, *_ = cage.extrude(knee, "shin foot", (0.0, -0.21, -0.1), (0.85, 1, 0.8))
-    sole, *sides = cage.extrude(ankle, "foot", (0.0, -0.16, 0.02), (1.3, 1, 1.4))
+    _, *sides = cage.extrude(ankle, "foot", (0.0, -0.16, 0.02), (1.3, 1, 1.4))
     cage.extrude(cage.facing(FRONT, sides), "foot", (0.0, -0.03, 0.36), (1.35, 0.7, 1), paint=CLAW)
 
     tail, *first = cage.extrude(back, "hips tail", (0, -0.06, -0.3), (0.7, 0.72, 1), (-15,))
