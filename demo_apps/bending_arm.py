@@ -20,15 +20,17 @@ INFLUENCES = 4  # bones that a vertex may follow
 ORANGE, RUBBER, STEEL = (0.90, 0.52, 0.22), (0.36, 0.40, 0.46), (0.70, 0.73, 0.76)
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
+Colour = tuple[float, float, float]
 
 # At rest the arm stands up along y, and a place on it is its height; in a finger this goes on.
 ELBOW, WRIST, PALM = 1.65, 2.75, 3.2
 KNUCKLE, TIP = PALM + 0.46, PALM + 0.94
 SOFT = {ELBOW: 0.5, WRIST: 0.27, PALM: 0.12, KNUCKLE: 0.12}  # how far a joint's bend reaches
 THICK = (  # places, and there the radius
-    (0.0, 0.25, 1.1, 1.2, 2.1, 2.48, 3.02, PALM, PALM + 0.1, KNUCKLE - 0.1, KNUCKLE, TIP - 0.1, TIP),
+    (0.0, 0.25, 1.1, 1.2, 2.1, 2.48, 3.02, PALM, PALM + 0.1, KNUCKLE - 0.1, KNUCKLE, TIP - 0.1,
+     TIP),
     (0.40, 0.36, 0.33, 0.28, 0.27, 0.19, 0.22, 0.35, 0.15, 0.12, 0.135, 0.09, 0.0),
-)
+)  # fmt: skip
 RIBBED, RIB = {ELBOW: 6, WRIST: 3}, 0.08  # ribs on either side of a joint, and their width
 PLAIN = (0.0, 0.2, 0.4, 0.6, 0.8, 0.98, 1.14, 2.16, 2.26, 2.37, 2.48, 3.02, 3.06, 3.13, PALM)
 FINGER_RINGS = (0.1, 0.22, 0.35, 0.46, 0.57, 0.7, 0.84, 0.91)  # on from the palm
@@ -47,7 +49,7 @@ def finger(number: int) -> tuple[Floats, Floats]:
     return 0.19 * away + (0.0, PALM, 0.0), along / np.linalg.norm(along)
 
 
-def stations() -> list[tuple[float, float, tuple[float, ...]]]:
+def stations() -> list[tuple[float, float, Colour]]:
     """The arm's rings from the bottom up: place, radius and colour."""
     ribs = {joint + k * RIB: 1.0 + 0.06 * (-1) ** k for joint, many in RIBBED.items()
             for k in range(-many, many + 1)}  # fmt: skip
@@ -68,10 +70,10 @@ class Skin:
     points: list[Floats] = field(default_factory=list)
     along: list[float] = field(default_factory=list)
     shares: list[Floats] = field(default_factory=list)
-    colours: list[tuple[float, ...]] = field(default_factory=list)
+    colours: list[Colour] = field(default_factory=list)
     triangles: list[Indices] = field(default_factory=list)
 
-    def add(self, points: Floats, place: float, shares: Floats, colour: tuple[float, ...]) -> Indices:
+    def add(self, points: Floats, place: float, shares: Floats, colour: Colour) -> Indices:
         """The numbers of new vertices."""
         first = len(self.points)
         self.points += list(points)
@@ -132,8 +134,9 @@ class Skin:
         side = np.cross(along, away)
         side /= np.linalg.norm(side)
         away = np.cross(side, along)
-        turn = (np.arange(AROUND) - AROUND / FINGERS / 2) * 2 * np.pi / AROUND
-        circle = np.cos(turn)[:, None] * away + np.sin(turn)[:, None] * side
+        from_root = np.array([self.points[k] for k in ring]) - root
+        circle = np.stack([from_root @ away, from_root @ side], axis=1)
+        circle = circle / np.linalg.norm(circle, axis=1, keepdims=True) @ np.stack([away, side])
         own = np.eye(FINGERS)[number]
         for far in FINGER_RINGS:
             points = root + far * along + np.interp(PALM + far, *THICK) * circle
@@ -205,7 +208,8 @@ def pose(time: float) -> Floats:
     """The matrices of the bones, (bones, 3, 4), from where a vertex rests to where it goes."""
     up, side = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, -1.0])
     grip = 0.5 - 0.5 * np.cos(1.9 * time)
-    upper = about(0 * up, up, 40 * np.sin(0.5 * time)) @ about(0 * up, side, -16 + 18 * np.sin(time))
+    upper = about(0 * up, up, 40 * np.sin(0.5 * time))
+    upper = upper @ about(0 * up, side, -14 + 18 * np.sin(time))
     fore = upper @ about(ELBOW * up, side, 60 + 24 * np.sin(time + 0.6))
     hand = fore @ about(WRIST * up, side, 28 + 30 * np.sin(1.3 * time))
     hand = hand @ about(WRIST * up, up, 50 * np.sin(0.8 * time))
@@ -224,7 +228,7 @@ def pose(time: float) -> Floats:
 class View:
     azimuth: float = -24.0
     elevation: float = 14.0
-    distance: float = 7.6
+    distance: float = 7.8
     size: tuple[int, int] = SIZE
     moving: bool = True
     frame: int = 0
@@ -292,7 +296,7 @@ def look(view: View) -> None:
     GL.glTranslatef(0.0, 0.0, -view.distance)
     GL.glRotatef(view.elevation, 1.0, 0.0, 0.0)
     GL.glRotatef(view.azimuth, 0.0, 1.0, 0.0)
-    GL.glTranslatef(-0.7, -1.65, 0.0)
+    GL.glTranslatef(-0.7, -1.75, 0.0)
     GL.glLightfv(GL.GL_LIGHT0, GL.GL_POSITION, (-3.0, 6.0, 5.0, 0.0))
 
 
