@@ -7,7 +7,7 @@ leaves.
 """
 
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,8 +23,8 @@ Indices = NDArray[np.intp]
 Vector = tuple[float, float, float]
 Quad = tuple[int, ...]
 
-# Each bone's parent, and the joint that it turns about. It looks along z; x is its left, and of
-# the bones in PAIRS there is one on each side.
+# The bones of the left half: the parent of each, and the joint that it turns about. The dragon
+# looks along z; x is its left.
 BONES: dict[str, tuple[str, Vector]] = {
     "hips": ("", (0.0, 1.0, 0.0)),
     "chest": ("hips", (0.0, 1.35, 0.0)),
@@ -39,32 +39,30 @@ BONES: dict[str, tuple[str, Vector]] = {
     "arm": ("chest", (0.46, 1.66, 0.04)),
     "hand": ("arm", (0.62, 1.38, 0.04)),
 }
-PAIRS = ("thigh", "shin", "foot", "arm", "hand")
+UP, DOWN, FRONT, BACK, LEFT = (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1), (1, 0, 0)
 
 # A step of the left leg, in degrees: the thigh forward, the knee bent, the toes above the floor.
-STEPS = ((28, 6, 14), (17, 22, 0), (-4, 12, 0), (-24, 14, -18), (-8, 58, -38), (24, 54, 4))
+STEPS = ((28, 6, 14), (17, 22, 0), (-4, 12, 0), (-24, 14, -18), (-6, 66, -26), (24, 54, 4))
 
 
 class Cage:
     """The left half of the model's control cage, of quads: a block that limbs are drawn out of."""
 
     def __init__(self, low: Vector, high: Vector) -> None:
-        block = [[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)]
-        self.points: list[Floats] = [np.array(corner) for corner in block]
+        self.points = [np.where([k & 1, k & 2, k & 4], high, low) for k in range(8)]
         self.bones = [["hips"]] * 8
-        self.paint: dict[Quad, Vector] = {}
-        for quad in ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1),
-                     (4, 5, 7, 6)):
-            self.paint[quad] = GREEN
+        block = "0462 1375 0154 2673 0231 4576"  # the corners of its quads
+        self.paint = {tuple(map(int, quad)): GREEN for quad in block.split()}
 
     def facing(self, direction: Vector, quads: list[Quad] | None = None) -> Quad:
         """The one of the quads that looks that way the most."""
-        def normal(quad: Quad) -> Floats:
-            a, b, c, d = (self.points[k] for k in quad)
-            across = np.cross(c - a, d - b)
-            return np.asarray(across / np.linalg.norm(across))
 
-        return max(quads or self.paint, key=lambda quad: float(normal(quad) @ direction))
+        def towards(quad: Quad) -> float:
+            a, b, c, d = (self.points[k] for k in quad)
+            normal = np.cross(c - a, d - b)
+            return float(normal @ direction / np.linalg.norm(normal))
+
+        return max(quads or self.paint, key=towards)
 
     def extrude(self, quad: Quad, bones: str, move: Vector, scale: Vector = (1.0, 1.0, 1.0),
                 turned: tuple[float, ...] = (), *, paint: Vector = GREEN) -> list[Quad]:
@@ -89,18 +87,10 @@ class Cage:
 
 def turn(pitch: float = 0.0, yaw: float = 0.0, roll: float = 0.0) -> Floats:
     """A rotation by degrees about z, then y, then x; pitch lowers what is in front."""
-    rotation = np.eye(3)
-    for axis, angle in enumerate(np.radians((pitch, yaw, roll))):
-        one, two = (axis + 1) % 3, (axis + 2) % 3
-        step = np.eye(3)
-        step[one, one] = step[two, two] = np.cos(angle)
-        step[two, one] = np.sin(angle)
-        step[one, two] = -step[two, one]
-        rotation = rotation @ step
-    return rotation
-
-
-UP, DOWN, FRONT, BACK, LEFT = (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1), (1, 0, 0)
+    (cx, cy, cz), (sx, sy, sz) = (f(np.radians((pitch, yaw, roll))) for f in (np.cos, np.sin))
+    about_x = np.array([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
+    about_y = np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
+    return np.asarray(about_x @ about_y @ [[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
 
 
 def half_cage() -> Cage:
@@ -149,83 +139,38 @@ def half_cage() -> Cage:
     return cage
 
 
-@dataclass
-class Skin:
-    """The whole cage: points (V, 3), quads (F, 4), counter-clockwise from outside, their colours
-    (F, 3), and how much each point follows each bone, (V, bones)."""
-
-    points: Floats
-    quads: Indices
-    paint: Floats
-    weights: Floats
-    names: list[str] = field(default_factory=list)
-
-
-def sided(bone: str, side: str) -> str:
-    return f"{side} {bone}" if bone in PAIRS else bone
-
-
-def whole(half: Cage) -> Skin:
-    """Add the mirrored half, and sew the two along the points that lie on the mirror."""
-    names = [name for bone in BONES for name in dict.fromkeys(sided(bone, s) for s in SIDES)]
-    points = np.array(half.points)
-    count, seam = len(points), points[:, 0] == 0.0
-    twin = np.where(seam, np.arange(count), count + np.cumsum(~seam) - 1)
-    quads = np.array([quad for quad in half.paint if not seam[list(quad)].all()])
-    paint = np.array([half.paint[tuple(quad.tolist())] for quad in quads])
-    weights = np.zeros((2, count, len(names)))
-    for k, side in enumerate(SIDES):
-        for point, bones in enumerate(half.bones):
-            for bone in bones:
-                weights[k, point, names.index(sided(bone, side))] += 1.0 / len(bones)
-    return Skin(
-        np.concatenate([points, points[~seam] * (-1, 1, 1)]),
-        np.concatenate([quads, twin[quads[:, ::-1]]]),
-        np.concatenate([paint, paint]),
-        np.concatenate([weights[0], weights[1, ~seam]]),
-        names,
-    )
-
-
-SIDES = ("left", "right")
-
-
 def pose(key: int) -> dict[str, Floats]:
-    """How each bone is turned in a key frame of the walk."""
+    """How each bone of the left half is turned in a key frame of the walk."""
     phase = 2 * np.pi * key / len(STEPS)
-    sway, bob = np.cos(phase), np.cos(2 * phase)
-    turns = {
-        "hips": turn(4 + 2 * bob, 6 * sway, 4 * np.sin(phase)),
-        "chest": turn(2 - 2 * bob, -12 * sway, -3 * np.sin(phase)),
+    sway, roll, bob = np.cos(phase), np.sin(phase), np.cos(2 * phase)
+    thigh, knee, toes = STEPS[key % len(STEPS)]
+    return {
+        "hips": turn(4 + 2 * bob, 6 * sway, 4 * roll),
+        "chest": turn(2 - 2 * bob, -12 * sway, -3 * roll),
         "head": turn(-4 + 3 * bob, 6 * sway),
-        "jaw": turn(9 + 7 * np.sin(phase)),
-        "tail": turn(2 * bob, 12 * np.sin(phase)),
+        "jaw": turn(10 + 6 * bob),
+        "tail": turn(2 * bob, 12 * roll),
         "middle": turn(3 * bob, 18 * np.sin(phase - 0.8)),
         "tip": turn(4 * bob, 24 * np.sin(phase - 1.6)),
+        "thigh": turn(-thigh),
+        "shin": turn(knee),
+        "foot": turn(thigh - knee - toes),
+        "arm": turn(-10 + 24 * sway),
+        "hand": turn(-12 + 14 * sway),
     }
-    for side, later in zip(SIDES, (0, len(STEPS) // 2), strict=True):
-        thigh, knee, toes = STEPS[(key + later) % len(STEPS)]
-        swing = 24 * np.cos(phase + np.pi * (side == "left"))
-        turns[f"{side} thigh"], turns[f"{side} shin"] = turn(-thigh), turn(knee)
-        turns[f"{side} foot"] = turn(thigh - knee - toes)
-        turns[f"{side} arm"], turns[f"{side} hand"] = turn(-10 - swing), turn(-12 - 0.6 * swing)
-    return turns
 
 
-def posed(skin: Skin, turns: dict[str, Floats]) -> Floats:
-    """The cage's points, (V, 3), with the bones turned."""
-    places: dict[str, tuple[Floats, Floats]] = {}  # of each bone: rotation, translation
-    points = np.zeros_like(skin.points)
-    for k, name in enumerate(skin.names):
-        bone = name.split()[-1]
-        parent, joint = BONES[bone]
-        pivot = np.array(joint) * (-1 if name.startswith("right") else 1, 1, 1)
-        side = name.split()[0]
-        rotation, shift = places.get(sided(parent, side), (np.eye(3), np.zeros(3)))
-        places[name] = (rotation @ turns[name], rotation @ (pivot - turns[name] @ pivot) + shift)
-        rotation, shift = places[name]
-        points += skin.weights[:, k, None] * (skin.points @ rotation.T + shift)
-    return points
+def posed(cage: Cage, key: int) -> Floats:
+    """The points of the cage in a key frame: each the mean of where its bones take it."""
+    turns = pose(key)
+    places = {"": (np.eye(3), np.zeros(3))}  # of each bone: rotation, translation
+    for bone, (parent, joint) in BONES.items():
+        rotation, shift = places[parent]
+        places[bone] = (rotation @ turns[bone], rotation @ (joint - turns[bone] @ joint) + shift)
+    return np.array([
+        np.mean([places[bone][0] @ point + places[bone][1] for bone in bones], axis=0)
+        for point, bones in zip(cage.points, cage.bones, strict=True)
+    ])  # fmt: skip
 
 
 class Smoother:
@@ -263,12 +208,6 @@ class Smoother:
         return np.concatenate([corners, edges, middles])
 
 
-def triangles_of(fans: Indices) -> Indices:
-    """The triangles that the fans cover, (T, 3)."""
-    hub = np.broadcast_to(fans[:, :1], (len(fans), 8))
-    return np.stack([hub, fans[:, 1:-1], fans[:, 2:]], axis=2).reshape(-1, 3)
-
-
 def normals_of(points: Floats, triangles: Indices) -> Floats:
     """The vertices' unit normals, (V, 3), each triangle counted by its area."""
     a, b, c = points[triangles].transpose(1, 0, 2)
@@ -281,13 +220,23 @@ class Model:
     """Key frames, (keys, V, 3) of positions and of normals, and the fans that they are drawn as."""
 
     def __init__(self) -> None:
-        skin = whole(half_cage())
-        smooth = Smoother(skin.quads)
-        self.fans, self.paint = smooth.fans, skin.paint
-        self.triangles = triangles_of(self.fans)
-        keys = [smooth(posed(skin, pose(key))) for key in range(len(STEPS))]
-        self.positions = np.stack([key - (0, key[:, 1].min(), 0) for key in keys])
-        self.normals = np.stack([normals_of(key, self.triangles) for key in keys])
+        cage = half_cage()
+        seam = np.array(cage.points)[:, 0] == 0.0
+        twins = np.where(seam, np.arange(len(seam)), len(seam) + np.cumsum(~seam) - 1)
+        half = [quad for quad in cage.paint if not seam[list(quad)].all()]
+        self.paint = [cage.paint[quad] for quad in half] * 2
+        smooth = Smoother(np.concatenate([half, twins[half][:, ::-1]]))
+        self.fans = smooth.fans
+        around = [np.repeat(self.fans[:, :1], 8, axis=1), self.fans[:, 1:-1], self.fans[:, 2:]]
+        self.triangles = np.stack(around, axis=2).reshape(-1, 3)
+        keys = []
+        for key in range(len(STEPS)):
+            # A walk is the same in a mirror, half a cycle later: that is the right half.
+            left, right = posed(cage, key), posed(cage, key + len(STEPS) // 2) * (-1, 1, 1)
+            points = smooth(np.concatenate([left, right[~seam]]))
+            keys.append(points - (0, points[:, 1].min(), 0))
+        self.positions = np.stack(keys)
+        self.normals = np.stack([normals_of(points, self.triangles) for points in keys])
 
     def at(self, time: float) -> tuple[Floats, Floats]:
         """Positions and normals, (V, 3) each, `time` seconds into the walk."""
@@ -299,7 +248,7 @@ class Model:
 
     def draw(self, time: float) -> None:
         positions, normals = (array.tolist() for array in self.at(time))
-        for fan, colour in zip(self.fans.tolist(), self.paint.tolist(), strict=True):
+        for fan, colour in zip(self.fans.tolist(), self.paint, strict=True):
             GL.glColor3fv(colour)
             GL.glBegin(GL.GL_TRIANGLE_FAN)
             for vertex in fan:
@@ -346,7 +295,7 @@ def display(model: Model) -> None:
     GL.glTranslatef(0.0, 0.0, -view.distance)
     GL.glRotatef(view.elevation, 1.0, 0.0, 0.0)
     GL.glRotatef(view.azimuth, 0.0, 1.0, 0.0)
-    GL.glTranslatef(0.0, -1.3, 0.4)
+    GL.glTranslatef(0.0, -1.3, 0.5)
     GL.glLightfv(GL.GL_LIGHT0, GL.GL_POSITION, (5.0, 7.0, 4.0, 0.0))
     draw_floor(view.frame / 60)
     model.draw(view.frame / 60)
