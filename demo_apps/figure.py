@@ -123,8 +123,8 @@ def half_cage() -> Cage:
     cage.paint[cage.facing(UP, mouth)] = CREST
     snout, *_ = cage.extrude(cage.facing(FRONT, skull), "head", (0, -0.03, 0.26), (0.86, 0.74, 1))
     cage.extrude(snout, "head", (0, 0.0, 0.26), (0.9, 0.9, 1))
-    eye, *_ = cage.extrude(cage.facing(LEFT, skull), "head", (0.03, 0.06, 0.06), (1, 0.6, 0.6))
-    pupil, *_ = cage.extrude(eye, "head", (0.04, 0.0, 0.02), (1, 0.55, 0.55), paint=WHITE)
+    eye, *_ = cage.extrude(cage.facing(LEFT, skull), "head", (0.03, 0.0, 0.06), (1, 0.5, 0.55))
+    pupil, *_ = cage.extrude(eye, "head", (-0.14, 0.0, 0.0), (1, 0.95, 0.95), paint=WHITE)
     cage.paint[pupil] = BLACK
 
     arm, *_ = cage.extrude(cage.facing(LEFT, chest), "chest arm", (0.08, 0.0, 0.02),
