@@ -76,7 +76,8 @@ TOOLKITS = tuple(
 
 OURS = tuple(
     Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
-    for name in ("cad_part", "robot_arm", "island", "cloth", "flag", "blob", "viewer")
+    for name in ("cad_part", "robot_arm", "island", "cloth", "flag", "blob", "figure",
+                 "bending_arm", "viewer")
 )
 
 PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + TOOLKITS + OURS
