@@ -98,10 +98,15 @@ class EdgeLines:
         return self.folds_in(None)
 
     @cached_property
+    def sharp(self) -> Flags:
+        """(E,) folds at which no smooth surface goes on."""
+        return np.asarray(np.abs(self.folds - np.pi) >= np.pi - SHARP)
+
+    @cached_property
     def pieces(self) -> SmoothPieces:
         """The mesh cut open at its creases."""
         creases = np.zeros(len(self.mesh.edges), np.bool_)
-        creases[self.edges.rows] = np.abs(self.folds - np.pi) >= np.pi - SHARP
+        creases[self.edges.rows] = self.sharp
         return SmoothPieces(self.mesh, creases)
 
     def folds_in(self, linear: Doubles | None) -> Doubles:
@@ -125,8 +130,8 @@ class EdgeLines:
             rows = np.flatnonzero(contours)
             folds = self.folds[rows]
             if wanted.smooth:
-                sharp = folds <= SHARP
-                rows, folds = rows[sharp], folds[sharp]
+                rows = rows[self.sharp[rows]]
+                folds = self.folds[rows]
                 pieces.append(self.pieces.contours(modelview, camera))
             shape = np.select([folds <= SHARP, folds <= np.pi], [RING, CONTOUR], HOLLOW)
             pieces.append(seen.records(rows, shape, outline=True))
