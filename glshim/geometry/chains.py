@@ -69,18 +69,33 @@ def link(a: Floats, b: Floats) -> Indices:
     return following
 
 
-def measure(
-    a: Floats, b: Floats, group: Indices, camera: Camera, pattern: Pattern
-) -> tuple[Doubles, Doubles]:
-    """(L,), (L,) repeats of a pattern at both ends of lines a to b (L, 3) in eye space.
+@dataclass(frozen=True, slots=True, eq=False)
+class Walk:
+    """Where lines lie along their strokes, and strokes along a pattern."""
 
-    group (L,): 0 silhouettes, which run on as they wind; 1 ridges, 2 valleys, 3 intersections,
-    which run on both ways. Both are 0 on lines without a pattern. Lengths are pixels in the window,
-    of what the near plane and the app's clip planes leave. On loops the pattern is stretched
-    so that it closes, and it begins where the loop, taken as an ellipse, is highest: this moves
-    as smoothly as the loop does.
+    begin: Doubles
+    """(L,) repeats of the pattern at each line's a, counted from where its stroke begins; 0 without
+    a pattern."""
+    finish: Doubles
+    """(L,) at b."""
+    stroke: Indices
+    """(L,) number of the stroke; -1 without a pattern."""
+    loop: Doubles
+    """(L,) repeats around the stroke, if that is a loop; else 0."""
+    places: tuple[NDArray[np.complex128], NDArray[np.complex128]]
+    """(L,), (L,) both ends in the window, pixels."""
+
+
+def measure(a: Floats, b: Floats, group: Indices, camera: Camera, pattern: Pattern) -> Walk:
+    """Lines a to b (L, 3) in eye space as strokes.
+
+    group (L,): 0 silhouettes, which run on as they wind; others, which run on both ways. Lengths
+    are pixels in the window, of what the near plane and the app's clip planes leave. On loops
+    the pattern is stretched so that it closes, and it begins where the loop, taken as an ellipse,
+    is highest: this moves as smoothly as the loop does.
     """
-    starts, finishes = np.zeros(len(a)), np.zeros(len(a))
+    starts, finishes, loops = np.zeros(len(a)), np.zeros(len(a)), np.zeros(len(a))
+    strokes = np.full(len(a), -1, np.intp)
     ends, _, left = cut(a.astype(np.float64), b.astype(np.float64), camera)
     places = [window(end, camera)[:, 0] + 1j * window(end, camera)[:, 1] for end in ends]
     steps = np.where(left, places[1] - places[0], 0.0)
@@ -92,17 +107,22 @@ def measure(
         mates = _mates(a[some], b[some], directed=kind == 0)
         if kind == 0:
             after = mates[1::2] // 2
-            starts[some], finishes[some] = _walked(after, steps[some], length, pattern.middle)[:2]
+            begin, finish, stroke, loop = _walked(after, steps[some], length, pattern.middle)
+            starts[some], finishes[some], loops[some] = begin, finish, loop
+            strokes[some] = stroke + strokes.max() + 1
             continue
         # Every crease twice, once a direction: half 2i runs from a to b, half 2i + 1 back.
         halves = np.stack([steps[some], -steps[some]], axis=1).ravel()
-        begin, finish, stroke = _walked(mates.reshape(-1, 2)[:, ::-1].ravel(), halves, length, 0.0)
+        after = mates.reshape(-1, 2)[:, ::-1].ravel()
+        begin, finish, stroke, loop = _walked(after, halves, length, 0.0)
         # Of a stroke and the same one back, that on which its first crease runs forward.
         forth = _first_of(stroke) % 2 == 0
         ahead = forth[stroke[0::2]]
         starts[some] = np.where(ahead, begin[0::2], finish[1::2])
         finishes[some] = np.where(ahead, finish[0::2], begin[1::2])
-    return starts, finishes
+        loops[some] = loop[0::2]
+        strokes[some] = np.where(ahead, stroke[0::2], stroke[1::2]) + strokes.max() + 1
+    return Walk(starts, finishes, strokes, loops, (places[0], places[1]))
 
 
 def _mates(a: Floats, b: Floats, *, directed: bool) -> Indices:
@@ -142,9 +162,10 @@ def _mates(a: Floats, b: Floats, *, directed: bool) -> Indices:
 
 def _walked(
     after: Indices, steps: NDArray[np.complex128], length: float, middle: float
-) -> tuple[Doubles, Doubles, Indices]:
+) -> tuple[Doubles, Doubles, Indices, Doubles]:
     """Of lines that run on as after says (each once at most, -1: ends), (L,) repeats of a pattern
-    at the beginning and at the end of each, and (L,) the stroke that it belongs to, from 0.
+    at the beginning and at the end of each, (L,) the stroke that it belongs to, from 0, and (L,)
+    the repeats around that if it is a loop, else 0.
 
     steps: from end to end in the window; length of the pattern and middle: as in `Pattern`.
     """
@@ -183,8 +204,8 @@ def _walked(
         zero = np.where(np.abs(sum_) > strength, top, zero)
         strength = np.maximum(strength, np.abs(sum_))
     begin = (at - np.where(whole > 0.0, zero, 0.0)[stroke]) * rate[stroke]
-    begin -= np.floor(begin)
-    return begin, begin + sizes * rate[stroke], stroke
+    loop = np.where(whole > 0.0, repeats, 0.0)[stroke]
+    return begin, begin + sizes * rate[stroke], stroke, loop
 
 
 def _heads(before: Indices) -> tuple[Indices, Flags]:

@@ -8,14 +8,15 @@ of the GPU. Here only the edges that are features go on, in the records that eve
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.chains import Pattern
+from glshim.geometry.chains import Pattern, measure
+from glshim.geometry.coherence import Drawn, Past, follow, keep
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
 from glshim.geometry.edges import dihedral
 from glshim.geometry.lines import (
@@ -31,7 +32,7 @@ from glshim.geometry.lines import (
     SHARP,
     VALLEY,
     are_similarities,
-    lay_pattern,
+    group_of,
     run_on,
 )
 from glshim.geometry.mesh import Mesh
@@ -198,13 +199,27 @@ class _Seen:
 
 
 def feature_lines(
-    objects: Sequence[tuple[EdgeLines, Doubles]], camera: Camera, wanted: Features
-) -> Floats:
+    objects: Sequence[tuple[EdgeLines, Doubles]],
+    camera: Camera,
+    wanted: Features,
+    past: Past | None = None,
+) -> tuple[Floats, Past | None]:
     """(L, 18) float32 records of the features of objects, each under its modelview (4, 4), eye
-    space. The camera's own modelview counts for nothing."""
+    space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
+    patterns follow; past is what the frame before gave."""
     found = [lines.found(modelview, camera, wanted) for lines, modelview in objects]
     whole = np.concatenate(found) if found else np.empty((0, RECORD), np.float32)
     run_on(whole)
-    if wanted.pattern is not None:
-        lay_pattern(whole, camera, wanted.pattern)
-    return whole
+    if wanted.pattern is None:
+        return whole, None
+    group = group_of(whole)
+    walk = measure(whole[:, 0:3], whole[:, 3:6], group, camera, wanted.pattern)
+    owner = np.repeat(np.arange(len(found)), [len(part) for part in found])
+    named = tuple((number, modelview) for number, (_, modelview) in enumerate(objects))
+    a, b = (whole[:, at : at + 3].astype(np.float64) for at in (0, 3))
+    drawn = Drawn(walk, a, b, group, owner, named)
+    if past is not None:
+        drawn = replace(drawn, walk=follow(drawn, camera, past))
+    turns = np.floor(drawn.walk.begin)
+    whole[:, 16], whole[:, 17] = drawn.walk.begin - turns, drawn.walk.finish - turns
+    return whole, keep(drawn)

@@ -117,7 +117,8 @@ def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
     """Write into records (L, 18) how far along a pattern each line lies, whatever their kinds."""
     group = group_of(records)
     found = measure(records[:, 0:3], records[:, 3:6], group, camera, pattern)
-    records[:, 16], records[:, 17] = found
+    turns = np.floor(found.begin)
+    records[:, 16], records[:, 17] = found.begin - turns, found.finish - turns
 
 
 def kind_of(records: Floats) -> Indices:

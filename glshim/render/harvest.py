@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
+from glshim.geometry.coherence import Past
 from glshim.geometry.edges import Edges, edges, edges_of_each, join
 from glshim.geometry.feature_lines import Features, feature_lines
 from glshim.geometry.gather import Places, together
@@ -26,21 +27,21 @@ class Harvest:
     def __init__(self, cache_bytes: int) -> None:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self.objects = Objects(cache_bytes)
+        self._past: AgingCache[Past] = AgingCache(cache_bytes // 16, longest_rest=8)
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
 
     def tick(self) -> None:
         """A layer has passed."""
         self._cache.tick()
         self.objects.tick()
+        self._past.tick()
 
     def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
         """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
         features of the meshes that they make together."""
         choice = group[0].choice
         if isinstance(choice, Features):
-            items = [(draw.batch, draw.camera.modelview) for draw in group]
-            placed = self.objects.placed(items, choice.tolerance)
-            return feature_lines(placed, group[0].camera, choice)
+            return self._features(group, choice)
         large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
         small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
         if len(small) == 1:
@@ -52,6 +53,16 @@ class Harvest:
         if small:
             parts.append(self._gathered(small))
         return lines(parts, group[0].camera, choice)
+
+    def _features(self, group: Sequence[Draw], wanted: Features) -> NDArray[np.float32]:
+        items = [(draw.batch, draw.camera.modelview) for draw in group]
+        placed = self.objects.placed(items, wanted.tolerance)
+        camera = group[0].camera
+        view = (wanted, camera.viewport)
+        found, past = feature_lines(placed, camera, wanted, self._past.get(view))
+        if past is not None:
+            self._past.put(view, past, past.nbytes)
+        return found
 
     def _edges(self, batch: PolygonBatch) -> Edges:
         """The edges of a batch, found again by key."""

@@ -12,7 +12,7 @@ from typing import ClassVar
 
 from glshim.geometry.chains import Pattern
 from glshim.geometry.feature_lines import Features
-from glshim.geometry.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
+from glshim.geometry.lines import BOUNDARY, GROUPS, SUGGESTIVE
 from glshim.geometry.raskar import INWARD
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image

@@ -1,0 +1,298 @@
+"""Patterns along strokes that stay where they were from frame to frame.
+
+McGuire & Hughes 2004, section 4, give each edge a pattern of its own (object space: it jumps where
+edges take over from each other) or cut it out of the screen (it swims under rotation), for their
+GPU knew neither the next edge nor the last frame. Here strokes run on along chains by arc length
+(`glshim.geometry.chains`), and each takes the phase of what was drawn nearby in the frame before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.camera import Camera
+from glshim.geometry.chains import Walk
+from glshim.geometry.screen import window
+from glshim.geometry.vectors import Doubles, dot, unit
+
+Indices = NDArray[np.intp]
+Places = NDArray[np.complex128]
+
+_REACH = 12.0
+"""Pixels in which a stroke finds what it was."""
+_STEP = 6.0
+"""Pixels of a stroke for one sample at least."""
+_MOST_SAMPLES = 64
+"""Samples of one line."""
+_CROWD = 10
+"""Old samples in a cell that are looked at."""
+_STIFFNESS = 12.0**2
+"""Square of the pixels over which a pattern gives way to what was there."""
+_ROUNDS = 60
+_DEPTH = 0.3
+"""What a pixel's worth along the line of sight counts of one across: layers keep apart."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Past:
+    """What was drawn in a frame: samples of strokes."""
+
+    points: Doubles
+    """(N, 3) eye space, of the frame's camera."""
+    along: Places
+    """(N,) unit direction in the window."""
+    phase: Doubles
+    """(N,) repeats of the pattern, modulo one."""
+    pace: Doubles
+    """(N,) repeats a pixel."""
+    group: Indices
+    """(N,) of the lines."""
+    owner: Indices
+    """(N,) object, by number."""
+    modelviews: tuple[Doubles, ...]
+    """(4, 4) of each object."""
+    names: tuple[Hashable, ...]
+    """What each object is: one of the same name in the next frame is the same."""
+
+    @property
+    def nbytes(self) -> int:
+        """Memory, for caches."""
+        return 96 * len(self.points) + 128 * len(self.names)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawn:
+    """The lines of a frame."""
+
+    walk: Walk
+    a: Doubles
+    """(L, 3) where lines begin, eye space."""
+    b: Doubles
+    """(L, 3) where they end."""
+    group: Indices
+    """(L,) of the lines."""
+    owner: Indices
+    """(L,) object of each, by number."""
+    objects: tuple[tuple[Hashable, Doubles], ...]
+    """Name and modelview (4, 4) of each object."""
+
+
+def keep(drawn: Drawn) -> Past:
+    """The past of the next frame."""
+    walk, a, b = drawn.walk, drawn.a, drawn.b
+    line, share = _samples(walk)
+    z0, z1 = walk.places
+    step = z1[line] - z0[line]
+    size = np.maximum(np.abs(step), 1e-9)
+    spread = walk.finish - walk.begin
+    return Past(
+        a[line] + share[:, None] * (b[line] - a[line]),
+        step / size,
+        np.mod(walk.begin[line] + share * spread[line], 1.0),
+        spread[line] / size,
+        drawn.group[line],
+        drawn.owner[line],
+        tuple(modelview for _, modelview in drawn.objects),
+        tuple(name for name, _ in drawn.objects),
+    )
+
+
+def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
+    """The same strokes, as far along their pattern as what was drawn where they are now.
+
+    Along each stroke the pattern is shifted by c, which minimises ``sum w |z - z'|^2 + s |dz/dt|^2``
+    for ``z = exp(2 pi i c)``, with z' the shift to the nearest old sample: nearby the pattern stays
+    where it was, over longer distances it has its own length.
+    """
+    walk = drawn.walk
+    line, share = _samples(walk)
+    points, old = _now(past, drawn.objects, camera)
+    if not len(line) or not len(old):
+        return walk
+    z0, z1 = walk.places
+    step = (z1 - z0)[line]
+    size = np.maximum(np.abs(step), 1e-9)
+    new = _Samples(
+        drawn.a[line] + share[:, None] * (drawn.b - drawn.a)[line],
+        z0[line] + share * step, step / size, drawn.group[line],
+    )  # fmt: skip
+    before = _Samples(points, old, past.along, past.group)
+    found = _nearest(new, before, camera)
+    met = np.flatnonzero(found >= 0)
+    if not len(met):
+        return walk
+    weight = (size / np.bincount(line)[line])[met]
+    line, share, found = line[met], share[met], found[met]
+    here = walk.begin[line] + share * (walk.finish - walk.begin)[line]
+    ahead = ((new.places[met] - old[found]) * past.along[found].conj()).real
+    apart = np.exp(2j * np.pi * (past.phase[found] + past.pace[found] * ahead - here))
+
+    chain = _Chain(walk)
+    shift = chain.fitted(line, share, weight, apart)
+    return Walk(
+        walk.begin + shift[0], walk.finish + shift[1], walk.stroke, walk.loop, walk.places
+    )
+
+
+class _Chain:
+    """The ends of lines as nodes of their strokes: what ends where another begins is one node."""
+
+    def __init__(self, walk: Walk) -> None:
+        on = np.flatnonzero(walk.stroke >= 0)
+        low = np.minimum(walk.begin, walk.finish)[on]
+        order = on[np.lexsort((low, walk.stroke[on]))]
+        stroke = walk.stroke[order]
+        first = np.flatnonzero(np.append(True, stroke[1:] != stroke[:-1]))
+        last = np.append(first[1:], len(order)) - 1
+        ends = np.arange(1, len(order) + 1)
+        loops = walk.loop[order[first]] > 0.0
+        ends[last] = np.where(loops, first, len(order) + np.arange(len(first)))
+        self.count = len(order) + len(first)
+        self._order, self._stroke_starts, self._loops = order, first, loops
+        self._from, self._to = np.arange(len(order)), ends
+        self._row = np.full(len(walk.stroke), -1, np.intp)
+        self._row[order] = self._from
+        size = np.abs(walk.places[1] - walk.places[0])[order]
+        self._spring = _STIFFNESS / np.maximum(np.where(np.isfinite(size), size, 1.0), 0.5)
+        self._forward = (walk.begin <= walk.finish)[order]
+
+    def fitted(
+        self, line: Indices, share: Doubles, weight: Doubles, wanted: Places
+    ) -> tuple[Doubles, Doubles]:
+        """(L,), (L,) the shift at both ends of all lines, from the wanted shifts of samples, as unit
+        numbers of the plane."""
+        row = self._row[line]
+        along = np.where(self._forward[row], share, 1.0 - share)
+        low, high = self._from[row], self._to[row]
+
+        def gathered(values: Places) -> Places:
+            """To the nodes: of samples, by how near they are."""
+            parts = ((values.real, values.imag) for _ in (0, 1))
+            out = np.zeros(self.count, complex)
+            for nodes, near, (x, y) in zip((low, high), (1.0 - along, along), parts, strict=True):
+                out += np.bincount(nodes, near * x, self.count)
+                out += 1j * np.bincount(nodes, near * y, self.count)
+            return out
+
+        def applied(z: Places) -> Places:
+            pull = self._spring * (z[self._to] - z[self._from])
+            out = gathered(weight * ((1.0 - along) * z[low] + along * z[high])) + 1e-9 * z
+            for nodes, sign in ((self._from, -1.0), (self._to, 1.0)):
+                out += sign * np.bincount(nodes, pull.real, self.count)
+                out += sign * 1j * np.bincount(nodes, pull.imag, self.count)
+            return out
+
+        z = _solved(applied, gathered(weight * wanted))
+        turn = np.angle(z) / (2.0 * np.pi)
+        # Unwrapped along each stroke from its first node.
+        jump = turn[self._to] - turn[self._from]
+        jump -= np.rint(jump)
+        total = np.cumsum(jump)
+        before = total - jump
+        base = turn[self._from[self._stroke_starts]] - before[self._stroke_starts]
+        counts = np.diff(self._stroke_starts, append=len(self._order))
+        before += np.repeat(base, counts)
+        after = before + jump
+        shifts = np.zeros((2, len(self._row)))
+        shifts[0, self._order] = np.where(self._forward, before, after)
+        shifts[1, self._order] = np.where(self._forward, after, before)
+        return shifts[0], shifts[1]
+
+
+def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
+    """Conjugate gradients, as far as a phase needs."""
+    z = np.zeros_like(right)
+    rest = right.copy()
+    way, size = rest.copy(), float(np.vdot(rest, rest).real)
+    goal = 1e-6 * size
+    for _ in range(_ROUNDS):
+        if size <= goal:
+            break
+        moved = applied(way)
+        pace = size / max(float(np.vdot(way, moved).real), 1e-300)
+        z += pace * way
+        rest -= pace * moved
+        size, before = float(np.vdot(rest, rest).real), size
+        way = rest + size / max(before, 1e-300) * way
+    return z
+
+
+def _samples(walk: Walk) -> tuple[Indices, Doubles]:
+    """Of lines with a pattern, (N,) the line of each sample and (N,) how far along, 0..1."""
+    size = np.abs(walk.places[1] - walk.places[0])
+    size = np.where((walk.stroke >= 0) & np.isfinite(size), size, 0.0)
+    counts = np.ceil(np.minimum(size / _STEP, _MOST_SAMPLES)).astype(np.intp)
+    line = np.repeat(np.arange(len(size)), counts)
+    first = np.repeat(np.cumsum(counts) - counts, counts)
+    return line, (np.arange(len(line)) - first + 0.5) / counts[line]
+
+
+def _now(
+    past: Past, objects: tuple[tuple[Hashable, Doubles], ...], camera: Camera
+) -> tuple[Doubles, Places]:
+    """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
+    window; NaN where that is not known."""
+    by_name = dict(objects)
+    points = np.full(past.points.shape, np.nan)
+    for number, (name, before) in enumerate(zip(past.names, past.modelviews, strict=True)):
+        after = by_name.get(name)
+        some = past.owner == number
+        if after is None or not some.any():
+            continue
+        try:
+            motion = after @ np.linalg.inv(before)
+        except np.linalg.LinAlgError:
+            motion = np.eye(4)
+        points[some] = past.points[some] @ motion[:3, :3].T + motion[:3, 3]
+    with np.errstate(all="ignore"):
+        found = window(points, camera)
+    return points, np.asarray(found[:, 0] + 1j * found[:, 1])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Samples:
+    points: Doubles
+    """(N, 3) eye space."""
+    places: Places
+    """(N,) the window."""
+    along: Places
+    group: Indices
+
+
+def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Indices:
+    """(N,) the old sample nearest to each new one within `_REACH`, of its group and direction, or
+    -1."""
+    sound = np.flatnonzero(np.isfinite(old.places) & (np.abs(old.places) < 1e6))
+    keys = _cell(old.places[sound])
+    order = sound[np.argsort(keys, kind="stable")]
+    keys = np.sort(keys)
+    sight = unit(camera.viewpoint[:3] - camera.viewpoint[3] * new.points)
+    w = np.abs(new.points @ camera.projection[3, :3] + camera.projection[3, 3])
+    scale = abs(camera.projection[1, 1]) * camera.viewport[3] / 2.0 / np.maximum(w, 1e-9)
+    best = np.full(len(new.places), -1, np.intp)
+    nearest = np.full(len(new.places), _REACH)
+    for right in (-1, 0, 1):
+        for up in (-1, 0, 1):
+            wanted = _cell(new.places + _REACH * (right + 1j * up))
+            first, last = np.searchsorted(keys, wanted), np.searchsorted(keys, wanted, "right")
+            for k in range(_CROWD):
+                at = np.flatnonzero(first + k < last)
+                if not len(at):
+                    break
+                who = order[first[at] + k]
+                deep = dot(new.points[at] - old.points[who], sight[at]) * scale[at]
+                away = np.hypot(np.abs(old.places[who] - new.places[at]), _DEPTH * deep)
+                fits = (away < nearest[at]) & (old.group[who] == new.group[at])
+                fits &= (old.along[who] * new.along[at].conj()).real > 0.5
+                best[at[fits]], nearest[at[fits]] = who[fits], away[fits]
+    return best
+
+
+def _cell(places: Places) -> NDArray[np.int64]:
+    """(N,) numbers of squares of `_REACH` pixels."""
+    x, y = (np.floor(part / _REACH).astype(np.int64) for part in (places.real, places.imag))
+    return np.asarray((x << np.int64(32)) + y)
