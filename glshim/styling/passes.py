@@ -39,7 +39,8 @@ class Body:
 class MeshShader:
     """GLSL texts (no ``#version`` line). `vertex` follows the preludes ``depth.glsl`` and
     ``mesh.glsl``, which give the mesh, the camera and the light; `fragment` follows ``depth.glsl``.
-    Colours are premultiplied."""
+    One that declares ``uniform sampler2D app_colour`` finds the app's finished picture there, pixel
+    for pixel. Colours are premultiplied."""
 
     name: str
     vertex: str

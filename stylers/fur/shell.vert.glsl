@@ -1,0 +1,21 @@
+// What:   a triangle of a shell: the mesh displaced along its normals, a layer a copy.
+// Inputs: hair.glsl; the number of shells.
+// Source: Lengyel et al. 2001, section 3.2; McGuire & Hughes 2004, section 1.
+
+uniform int shells;
+
+void main() {
+    gl_Position = NOWHERE;
+    ivec3 v = triangle_at(element()).xyz;
+    vec3 p0 = position(v.x), p1 = position(v.y), p2 = position(v.z);
+    int own = corner() == 0 ? v.x : corner() == 1 ? v.y : v.z;
+    vec3 place = corner() == 0 ? p0 : corner() == 1 ? p1 : p2;
+    vec3 view = normalize(towards(eye, place));
+    // What faces away is under the shells that face the viewer.
+    float sign_out = rest(own).w;
+    if (sign_out * dot(cross(p1 - p0, p2 - p0), towards(eye, p0)) < 0.0
+        && dot(out_of(v.x, p0), view) < -0.35 && dot(out_of(v.y, p1), view) < -0.35
+        && dot(out_of(v.z, p2), view) < -0.35) return;
+    grow(own, place, out_of(own, place), (float(gl_InstanceID) + 0.15) / float(shells));
+    if (gl_InstanceID == 0) gl_Position.z -= 2.0 * hair * gl_Position.w * away;
+}
