@@ -38,10 +38,10 @@ class Fur(Styler):
     name: ClassVar[str] = "fur"
 
     length: float = option(
-        16.0, help="length of a hair, at the middle of its object", low=1.0, high=200.0, unit="px"
+        20.0, help="length of a hair, at the middle of its object", low=1.0, high=200.0, unit="px"
     )
     density: float = option(
-        38.0, help="hairs side by side on 100 pixels of the surface", low=2.0, high=100.0
+        40.0, help="hairs side by side on 100 pixels of the surface", low=2.0, high=100.0
     )
     thickness: float = option(
         1.0, help="width of a hair at its root: 1 covers the skin, less shows it", low=0.2, high=1.5
@@ -70,7 +70,7 @@ class Fur(Styler):
         return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
-        """The shells of each body from the skin outwards, then its fins."""
+        """The fins of each body, and over them its shells from the skin outwards."""
         own = (0.0, 0.0, 0.0, 0.0) if isinstance(self.colour, str) else (*self.colour, 1.0)
         for body in bodies(layer):
             scale = scale_of(body, self.length, 100.0 / self.density)
@@ -90,12 +90,12 @@ class Fur(Styler):
                 "fur_colour": own,
                 "shells": shells,
             }
-            yield Pass(
-                SHELLS, (body,), "triangles", copies=shells, state=_STATE, uniforms=uniforms,
-                light=layer.light,
-            )  # fmt: skip
             if self.fins:
                 yield Pass(
                     FINS, (body,), "edges", "quads", _QUADS, state=_STATE, uniforms=uniforms,
                     light=layer.light,
                 )  # fmt: skip
+            yield Pass(
+                SHELLS, (body,), "triangles", copies=shells, state=_STATE, uniforms=uniforms,
+                light=layer.light,
+            )  # fmt: skip

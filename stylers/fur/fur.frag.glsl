@@ -44,11 +44,19 @@ vec4 grown_from() {
         place = gl_FragCoord.xy;
         found = lit.z < 0.0 && abs(finished(place) - depth) < 3.0 * near;
     }
-    for (float step = 1.0; step < 40.0 && !found; step *= 1.8) {
-        place = foot + step * inward;
+    // Over the rim: what of the object is seen before it; failing that, what hides the object.
+    bool hidden = false;
+    vec2 hiding = foot;
+    for (float far = 1.0; far < 40.0 && !found; far *= 1.8) {
+        place = foot + far * inward;
         float there = finished(place);
-        found = there > before && there < depth + near;
+        bool nearer = there < depth + near;
+        found = nearer && there > before;
+        if (nearer && !hidden) hiding = place;
+        hidden = hidden || nearer;
     }
+    if (!found) place = hiding;
+    found = found || hidden;
     place = clamp(place, port.xy, port.zw);
     return found ? vec4(texelFetch(app_colour, ivec2(place), 0).rgb, 1.0) : vec4(0.0);
 }
@@ -60,7 +68,7 @@ void main() {
     if (height > SKIN) {
         // Neighbours lean together: locks.
         vec3 sway = sin(0.37 * root.yzx + 2.0 * sin(0.23 * root.zxy));
-        vec3 q = root + curl * height * height * sway;
+        vec3 q = root + 0.3 * sin(1.9 * root.zxy) + curl * height * height * sway;
         ivec3 at = ivec3(floor(q));
         random = random_of(at);
         vec3 kink = 0.12 * curl * sin(5.0 * height + 6.28 * random.yzx);
@@ -69,18 +77,19 @@ void main() {
         float apart = length(off - 0.75 * dot(off, upright) * upright);
         tip = (0.55 + 0.45 * random.w) * (0.88 + 0.12 * sway.x);
         float radius = thickness * sqrt(max(1.0 - height / tip, 0.0));
-        covered = clamp((radius - apart) / max(grain, 0.1) + 0.5, 0.0, 1.0);
         if (radius <= 0.0) discard;
-        // Hairs thinner than a pixel: their share of it.
-        covered = mix(covered, 4.19 * radius * radius * radius, smoothstep(0.8, 1.6, grain));
+        // Not wider than half a hair: what is dense would turn into haze.
+        covered = clamp((radius - apart) / clamp(grain, 0.1, 0.5) + 0.5, 0.0, 1.0);
     }
     covered *= fade;
-    if (covered < 0.04) discard;
+    // What is nearly clear would hide the hairs behind it.
+    if (covered < 0.3) discard;
     vec4 own = fur_colour.a > 0.0 ? vec4(fur_colour.rgb * (0.3 + 0.8 * lit.x), 1.0) : grown_from();
-    if (own.a == 0.0) own = vec4(1,0,1,1);
+    if (own.a == 0.0) discard;
     // Roots lie in the shadow of the hairs around them.
     float up = clamp(height / tip, 0.0, 1.0);
     float shade = mix(0.38, 1.12, up) * (0.84 + 0.32 * random.x);
     vec3 shine = sheen * lit.y * up * (0.4 + 0.6 * random.y) * mix(vec3(1.0), own.rgb, 0.5);
+    covered = min(covered + 0.3, 1.0);
     colour = vec4(clamp(own.rgb * shade + shine, 0.0, 1.0) * covered, covered);
 }

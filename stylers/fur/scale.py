@@ -19,8 +19,8 @@ class Scale(NamedTuple):
     length: float
     """Of a hair."""
     spacing: float
-    """Between hairs: the number of pixels asked for, to the next power of two, so that a pattern
-    stays what it is while its object comes nearer."""
+    """Between hairs: the number of pixels asked for, in steps of half an octave, so that a pattern
+    stays what it is for a while as its object comes nearer."""
     reach: float
     """Of the body, from its middle."""
     pixels: float
@@ -48,4 +48,4 @@ def scale_of(body: Body, length: float, spacing: float) -> Scale | None:
     if not (np.isfinite(pixel) and pixel > 0.0 and 0.0 < reach < np.inf):
         return None
     long = min(length * pixel, _MOST * reach)
-    return Scale(long, 2.0 ** ceil(log2(spacing * pixel) - 0.5), reach, long / pixel)
+    return Scale(long, 2.0 ** (round(2.0 * log2(spacing * pixel)) / 2.0), reach, long / pixel)
