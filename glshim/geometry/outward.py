@@ -9,7 +9,7 @@ from glshim.geometry.mesh import Mesh
 from glshim.geometry.vectors import cross, dot
 
 _HOLLOW = 0.01
-"""Volume over area to the power of 1.5 from which on a component has an inside; a sphere's is 0.094."""
+"""Volume over area to the power of 1.5 from which on a component has an inside (sphere: 0.094)."""
 
 
 def outward(mesh: Mesh) -> NDArray[np.float32]:

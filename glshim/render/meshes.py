@@ -106,8 +106,8 @@ class Residents:
         return made
 
     def bind_rest(self, resident: Resident) -> None:
-        """Bind the vertices of a mesh as they were first seen: a mesh that moves keeps its array
-        of triangles (`Mesh.moved`)."""
+        """Bind the vertices of a mesh as they were first seen (a mesh that moves keeps its array
+        of triangles, `Mesh.moved`), and `outward`."""
         mesh = resident.mesh
         rest = self._rests.get(id(mesh.triangles))
         if rest is None:

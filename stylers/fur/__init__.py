@@ -25,7 +25,7 @@ _HAIR, _SHELL, _FIN, _FRAGMENT = (
 SHELLS = MeshShader("fur shells", _HAIR + _SHELL, _FRAGMENT)
 FINS = MeshShader("fur fins", _HAIR + _FIN, _FRAGMENT)
 _STATE = State(writes_depth=True)
-_QUADS = 3
+_QUADS = 2
 """Of a fin, one above the other."""
 _LATTICE = (0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6)
 """A rotation (columns first) that turns no plane of an ordinary model along a layer of cells."""
@@ -50,9 +50,7 @@ class Fur(Styler):
         0.6, help="how far hairs hang down: 0 stands on end, 2 lies flat", low=0.0, high=2.0
     )
     curl: float = option(0.6, help="how far hairs turn into locks", low=0.0, high=2.0)
-    layers: float = option(
-        16.0, help="most shells; short fur needs fewer", low=2.0, high=64.0
-    )
+    layers: float = option(12.0, help="most shells; short fur has fewer", low=2.0, high=64.0)
     sheen: float = option(0.25, help="light along the hairs", low=0.0, high=1.0)
     fins: bool = option(True, help="hairs in profile near contours")
     colour: str | Colour = option(  # noqa: RUF009

@@ -77,15 +77,17 @@ void main() {
         float apart = length(off - 0.75 * dot(off, upright) * upright);
         tip = (0.55 + 0.45 * random.w) * (0.88 + 0.12 * sway.x);
         float radius = thickness * sqrt(max(1.0 - height / tip, 0.0));
-        if (radius <= 0.0) discard;
         // Not wider than half a hair: what is dense would turn into haze.
-        covered = clamp((radius - apart) / clamp(grain, 0.1, 0.5) + 0.5, 0.0, 1.0);
+        covered = radius > 0.0
+            ? clamp((radius - apart) / clamp(grain, 0.1, 0.5) + 0.5, 0.0, 1.0) : 0.0;
     }
     covered *= fade;
     // What is nearly clear would hide the hairs behind it.
-    if (covered < 0.3) discard;
-    vec4 own = fur_colour.a > 0.0 ? vec4(fur_colour.rgb * (0.3 + 0.8 * lit.x), 1.0) : grown_from();
-    if (own.a == 0.0) discard;
+    bool clear = covered < 0.3;
+    vec4 own = vec4(fur_colour.rgb * (0.3 + 0.8 * lit.x), fur_colour.a);
+    // A loop, since drivers in software leave loops early but walk through every branch.
+    for (int k = 0; k < (clear || own.a > 0.0 ? 0 : 1); ++k) own = grown_from();
+    if (clear || own.a == 0.0) discard;
     // Roots lie in the shadow of the hairs around them.
     float up = clamp(height / tip, 0.0, 1.0);
     float shade = mix(0.38, 1.12, up) * (0.84 + 0.32 * random.x);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import ceil, log2
+from math import log2
 from typing import NamedTuple
 
 import numpy as np
@@ -36,15 +36,15 @@ def scale_of(body: Body, length: float, spacing: float) -> Scale | None:
     if not len(points):
         return None
     low, high = points.min(axis=0).astype(np.float64), points.max(axis=0).astype(np.float64)
-    reach = float(np.linalg.norm(high - low)) / 2.0
+    reach = float(np.linalg.norm(high - low)) / 2.0  # in float64: no overflow
     middle = camera.modelview @ (*((low + high) / 2.0), 1.0)
     with np.errstate(all="ignore"):
         grown = float(np.cbrt(abs(np.linalg.det(camera.modelview[:3, :3]))))
         # Nearer than its own radius only a part of it is seen.
-        away = max(float(camera.projection[3] @ middle),
-                   float(np.linalg.norm(camera.projection[3, :3])) * reach * grown)  # fmt: skip
-        across = camera.viewport[3] / 2.0 * float(np.linalg.norm(camera.projection[1, :3])) / away
-        pixel = 1.0 / (across * grown)
+        away = np.maximum(camera.projection[3] @ middle,
+                          np.linalg.norm(camera.projection[3, :3]) * reach * grown)  # fmt: skip
+        across = camera.viewport[3] / 2.0 * np.linalg.norm(camera.projection[1, :3]) / away
+        pixel = float(np.reciprocal(np.float64(across * grown)))
     if not (np.isfinite(pixel) and pixel > 0.0 and 0.0 < reach < np.inf):
         return None
     long = min(length * pixel, _MOST * reach)
