@@ -104,9 +104,9 @@ def keep(drawn: Drawn) -> Past:
 def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
     """The same strokes, as far along their pattern as what was drawn where they are now.
 
-    Along each stroke the pattern is shifted by c, which minimises ``sum w |z - z'|^2 + s |dz/dt|^2``
-    for ``z = exp(2 pi i c)``, with z' the shift to the nearest old sample: nearby the pattern stays
-    where it was, over longer distances it has its own length.
+    Along each stroke the pattern is shifted by c, which minimises the sum of ``w |z - z'|^2`` and
+    ``s |dz/dt|^2`` for ``z = exp(2 pi i c)``, with z' the shift to the nearest old sample: nearby
+    the pattern stays where it was, over longer distances it has its own length.
     """
     walk = drawn.walk
     line, share = _samples(walk)
@@ -163,8 +163,8 @@ class _Chain:
     def fitted(
         self, line: Indices, share: Doubles, weight: Doubles, wanted: Places
     ) -> tuple[Doubles, Doubles]:
-        """(L,), (L,) the shift at both ends of all lines, from the wanted shifts of samples, as unit
-        numbers of the plane."""
+        """(L,), (L,) the shift at both ends of all lines, from the wanted shifts of samples, as
+        complex numbers of size one."""
         row = self._row[line]
         along = np.where(self._forward[row], share, 1.0 - share)
         low, high = self._from[row], self._to[row]

@@ -17,6 +17,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
 from glshim.geometry.mesh import Mesh
+from glshim.geometry.outward import outward
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.render.driver import gl
 from glshim.render.objects import Objects
@@ -26,6 +27,7 @@ WIDTH = 2048
 UNITS = {
     "mesh_positions": 6, "mesh_normals": 7, "mesh_edges": 8, "mesh_triangles": 9,
     "next_positions": 10, "next_normals": 11, "mesh_bones": 10, "mesh_weights": 11,
+    "mesh_rest": 12,
 }  # fmt: skip
 _TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
 _FLOAT, _INT, _SHORT, _RGBA, _RGBA_INTEGER = 0x1406, 0x1404, 0x1402, 0x1908, 0x8D99
@@ -53,6 +55,24 @@ class Resident:
         _delete(self.textures.values())
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Rest:
+    """Where the vertices of a mesh were when it was first seen, and which way is out of it."""
+
+    triangles: NDArray[np.int32]
+    """The array that is its key, kept so that its number is given to no other."""
+    texture: int
+
+    def bind(self) -> None:
+        """At its unit."""
+        gl.glActiveTexture(_TEXTURE_0 + UNITS["mesh_rest"])
+        gl.glBindTexture(_TEXTURE_2D, self.texture)
+
+    def free(self) -> None:
+        """Delete the texture."""
+        _delete((self.texture,))
+
+
 class Residents:
     """Recovers meshes of bodies and keeps what is asked for again. Use it inside the guard.
     most_bytes bounds the driver's memory."""
@@ -61,10 +81,12 @@ class Residents:
         self._objects = objects
         self._kept: AgingCache[Resident] = AgingCache(most_bytes, drop=Resident.free)
         self._passing: list[Resident] = []
+        self._rests: AgingCache[Rest] = AgingCache(most_bytes // 4, drop=Rest.free)
 
     def tick(self) -> None:
         """A layer has passed."""
         self._kept.tick()
+        self._rests.tick()
 
     def find(self, batches: Sequence[PolygonBatch]) -> Resident:
         """The mesh that batches of one object space make together. Valid until `release`."""
@@ -79,6 +101,18 @@ class Residents:
             return self._kept.put(keys, made, made.nbytes)
         self._passing.append(made)
         return made
+
+    def bind_rest(self, resident: Resident) -> None:
+        """Bind the vertices of a mesh as they were first seen (a mesh that moves keeps its array
+        of triangles, `Mesh.moved`), and `outward`."""
+        mesh = resident.mesh
+        rest = self._rests.get(id(mesh.triangles))
+        if rest is None:
+            rows = _four(mesh.positions)
+            rows[:, 3] = outward(mesh)
+            rest = Rest(mesh.triangles, _upload(rows))
+            self._rests.put(id(mesh.triangles), rest, rows.nbytes)
+        rest.bind()
 
     def release(self) -> None:
         """What was made for a moment goes."""

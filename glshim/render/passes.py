@@ -17,6 +17,8 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.notices import say_once
 from glshim.render.cameras import inputs_of, scissor
+from glshim.render.colour import UNIT as COLOUR_UNIT
+from glshim.render.colour import ColourCopy
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl
 from glshim.render.meshes import UNITS, Posed, Resident, Residents
@@ -48,6 +50,7 @@ class Runner:
         self._context = context
         self.residents = Residents(objects, most_bytes)
         self._stage = Stage()
+        self._colour = ColourCopy()
         self._programs: dict[Hashable, Program] = {}
         array = ctypes.c_uint()
         gl.glGenVertexArrays(1, ctypes.addressof(array))
@@ -74,6 +77,8 @@ class Runner:
         """All passes on the stage, which then goes over the window. greater: the app's depth test
         lets greater depths win; hair in window depth."""
         self._stage.open(box)
+        if any("app_colour" in one.shader.fragment for one in passes):
+            self._colour.take(window, box)
         for one in passes:
             if one.image is not None:
                 textures.bind(one.image)
@@ -111,7 +116,7 @@ class Runner:
         program = self._program(one.shader, one.pose)
         program.set(inputs)
         program.set(seen_from(camera, one.light))
-        program.set({name: unit for name, unit in UNITS.items()} | {"vertices_each": each})
+        program.set(UNITS | {"vertices_each": each, "app_colour": COLOUR_UNIT})
         program.set(one.uniforms)
         if isinstance(one.pose, Keyframes):
             program.set({"share": one.pose.share})
@@ -119,6 +124,8 @@ class Runner:
             program.set({"bones": one.pose.matrices.transpose(0, 2, 1)})
         if resident is not None:
             resident.bind()
+            if "rest(" in one.shader.vertex:
+                self.residents.bind_rest(resident)
         if posed is not None:
             posed.bind()
         gl.glViewport(*camera.viewport)

@@ -27,7 +27,7 @@ VERTICES: Mapping[Primitive, int] = {"lines": 2, "triangles": 3, "quads": 4}
 """Vertices of one primitive."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Body:
     """Batches that share a camera, and so an object space: one mesh is recovered from them."""
 
@@ -39,7 +39,8 @@ class Body:
 class MeshShader:
     """GLSL texts (no ``#version`` line). `vertex` follows the preludes ``depth.glsl`` and
     ``mesh.glsl``, which give the mesh, the camera and the light; `fragment` follows ``depth.glsl``.
-    Colours are premultiplied."""
+    One that declares ``uniform sampler2D app_colour`` finds the app's finished picture there, pixel
+    for pixel. Colours are premultiplied."""
 
     name: str
     vertex: str
@@ -75,7 +76,7 @@ class State:
     """Set all of the stencil to 255 first."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Pass:
     """One shader over the elements of bodies."""
 

@@ -8,6 +8,8 @@ uniform sampler2D mesh_positions;   // object space
 uniform sampler2D mesh_normals;
 uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
 uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed
+uniform sampler2D mesh_rest;        // positions as first seen; +1: normals point outwards, -1:
+                                    // inwards, 0: a sheet, which has no outside
 uniform int vertices_each;          // vertices an element is drawn with
 
 uniform mat4 modelview;
@@ -67,6 +69,10 @@ vec3 normal(int v) {
 vec3 position(int v) { return texelFetch(mesh_positions, texel(v), 0).xyz; }
 vec3 normal(int v) { return texelFetch(mesh_normals, texel(v), 0).xyz; }
 #endif
+
+// Where a vertex was when its mesh was first seen, and which way is out (mesh_rest): patterns that
+// are to stay on a surface that moves are taken from here.
+vec4 rest(int v) { return texelFetch(mesh_rest, texel(v), 0); }
 
 // Towards an eye or a light, homogeneous, from a point; not of unit length.
 vec3 towards(vec4 source, vec3 point) { return source.xyz - source.w * point; }

@@ -1,0 +1,38 @@
+"""Which way is out of a recovered mesh: apps wind their polygons either way."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.mesh import Mesh
+from glshim.geometry.vectors import cross, dot
+
+_HOLLOW = 0.01
+"""Volume over area to the power of 1.5 from which on a component has an inside (sphere: 0.094)."""
+
+
+def outward(mesh: Mesh) -> NDArray[np.float32]:
+    """(V,) for each vertex +1 where its normal points out of its component, -1 where it points
+    into it, 0 where the component encloses next to nothing: a sheet has no outside.
+
+    The sign is that of the volume that the component encloses seen from its middle, which holds
+    for a bowl or a bent pipe too.
+    """
+    found = np.zeros(len(mesh.positions), np.float32)
+    if not len(mesh.triangles):
+        return found
+    label = mesh.components
+    corners = mesh.positions[mesh.triangles].astype(np.float64)
+    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+        middle = corners.mean(axis=1)
+        total = np.bincount(label)
+        centre = np.stack([np.bincount(label, middle[:, k]) / total for k in range(3)], axis=1)
+        a, b, c = (corners[:, k] - centre[label] for k in range(3))
+        volume = np.bincount(label, dot(a, cross(b, c)) / 6.0)
+        vector = cross(b - a, c - a)
+        area = np.bincount(label, np.sqrt(dot(vector, vector)) / 2.0)
+        share = np.nan_to_num(volume / area**1.5)
+    sign = np.where(np.abs(share) >= _HOLLOW, np.sign(share), 0.0)
+    found[mesh.triangles] = sign[label][:, None]
+    return found

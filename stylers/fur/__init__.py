@@ -1,0 +1,99 @@
+"""Style ``fur``: every surface grows hair in its own colours.
+
+J. Lengyel, E. Praun, A. Finkelstein, H. Hoppe, "Real-Time Fur over Arbitrary Surfaces", I3D 2001,
+with the fins found and extruded on the GPU: M. McGuire, J. F. Hughes, "Hardware-Determined Feature
+Edges", NPAR 2004, section 1 and figure 1b.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from math import ceil
+from typing import ClassVar
+
+from glshim.styling.passes import MeshShader, Pass, State, bodies
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from stylers.fur.scale import scale_of
+
+_HERE = files(__package__)
+_HAIR, _SHELL, _FIN, _FRAGMENT = (
+    (_HERE / name).read_text("utf-8")
+    for name in ("hair.glsl", "shell.vert.glsl", "fin.vert.glsl", "fur.frag.glsl")
+)
+SHELLS = MeshShader("fur shells", _HAIR + _SHELL, _FRAGMENT)
+FINS = MeshShader("fur fins", _HAIR + _FIN, _FRAGMENT)
+_STATE = State(writes_depth=True)
+_QUADS = 2
+"""Of a fin, one above the other."""
+_LATTICE = (0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6)
+"""A rotation (columns first) that turns no plane of an ordinary model along a layer of cells."""
+
+
+@dataclass(frozen=True)
+class Fur(Styler):
+    """Hair on every surface: shells, and fins near contours (Lengyel et al. 2001)."""
+
+    name: ClassVar[str] = "fur"
+
+    length: float = option(
+        20.0, help="length of a hair, at the middle of its object", low=1.0, high=200.0, unit="px"
+    )
+    density: float = option(
+        40.0, help="hairs side by side on 100 pixels of the surface", low=2.0, high=100.0
+    )
+    thickness: float = option(
+        1.0, help="width of a hair at its root: 1 covers the skin, less shows it", low=0.2, high=1.5
+    )
+    droop: float = option(
+        0.6, help="how far hairs hang down: 0 stands on end, 2 lies flat", low=0.0, high=2.0
+    )
+    curl: float = option(0.6, help="how far hairs turn into locks", low=0.0, high=2.0)
+    layers: float = option(12.0, help="most shells; short fur has fewer", low=2.0, high=64.0)
+    sheen: float = option(0.25, help="light along the hairs", low=0.0, high=1.0)
+    fins: bool = option(True, help="hairs in profile near contours")
+    colour: str | Colour = option(  # noqa: RUF009
+        "app", help="the hairs: as the app drew the skin, or a colour",
+        choices=("app",), colour=True,
+    )  # fmt: skip
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
+
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        """The fins of each body, and over them its shells from the skin outwards."""
+        own = (0.0, 0.0, 0.0, 0.0) if isinstance(self.colour, str) else (*self.colour, 1.0)
+        for body in bodies(layer):
+            scale = scale_of(body, self.length, 100.0 / self.density)
+            if scale is None:
+                continue
+            # A shell for each pixel is enough.
+            shells = max(2, min(round(self.layers), ceil(scale.pixels)))
+            uniforms: dict[str, Uniform] = {
+                "hair_length": scale.length,
+                "spacing": scale.spacing,
+                "reach": scale.reach,
+                "lattice": _LATTICE,
+                "droop": self.droop,
+                "curl": self.curl,
+                "sheen": self.sheen,
+                "thickness": 0.45 * self.thickness,
+                "fur_colour": own,
+                "shells": shells,
+            }
+            if self.fins:
+                yield Pass(
+                    FINS, (body,), "edges", "quads", _QUADS, state=_STATE, uniforms=uniforms,
+                    light=layer.light,
+                )  # fmt: skip
+            yield Pass(
+                SHELLS, (body,), "triangles", copies=shells, state=_STATE, uniforms=uniforms,
+                light=layer.light,
+            )  # fmt: skip
