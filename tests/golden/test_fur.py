@@ -18,6 +18,7 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.mesh import mesh
 from glshim.render.backend import Backend
 from glshim.render.meshes import Residents
+from glshim.render.objects import Objects
 from glshim.styling.protocol import Layer
 from stylers.fur import Fur
 from tests import look
@@ -169,7 +170,7 @@ def test_hairs_keep_to_a_mesh_that_moves(backend):
     moved = still.moved((look.torus().positions * (1.0, 1.0, 1.5)).astype(np.float32))
     assert moved is not None
     assert moved.triangles is still.triangles
-    residents = Residents(1 << 24)
+    residents = Residents(Objects(1 << 24), 1 << 24)
     asked = []
     for one in (still, moved):
         residents.bind_rest(dataclasses.replace(_resident(), mesh=one))
