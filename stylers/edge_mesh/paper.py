@@ -13,7 +13,7 @@ from typing import Literal
 
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.passes import Body, MeshShader, Pass, State, Stencil, bodies
+from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, Stencil, bodies
 from glshim.styling.protocol import Colour, Layer, Uniform
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
@@ -125,17 +125,23 @@ def _strokes(
 def _shapes(
     look: PaperLook, models: tuple[Body, ...], state: State, uniforms: dict[str, Uniform]
 ) -> Iterator[Pass]:
+    sieve = Sieve(
+        int(uniforms["wanted"]),  # type: ignore[arg-type]
+        (radians(look.ridge_angle), radians(look.valley_angle)),
+    )
     if look.strokes == "thin":
-        yield Pass(LINE, models, "edges", "lines", state=state, uniforms=uniforms)
+        yield Pass(LINE, models, "edges", "lines", state=state, uniforms=uniforms, sieve=sieve)
         return
     shader = ROUND if look.caps == "round" else QUAD
     yield Pass(
-        shader, models, "edges", "quads", state=state, uniforms=uniforms, image=look.image
-    )
+        shader, models, "edges", "quads", state=state, uniforms=uniforms, image=look.image,
+        sieve=sieve,
+    )  # fmt: skip
     if look.caps == "paper":
         yield Pass(
-            CAP, models, "edges", "triangles", 2, state=state, uniforms=uniforms, image=look.image
-        )
+            CAP, models, "edges", "triangles", 2, state=state, uniforms=uniforms, image=look.image,
+            sieve=sieve,
+        )  # fmt: skip
 
 
 def _reaches(look: PaperLook) -> tuple[float, ...]:
@@ -153,9 +159,12 @@ def _is_half(look: PaperLook, bit: int) -> bool:
 
 
 def _factor(look: PaperLook) -> float:
-    """Slopes by which models go back: a pixel, and what lies beneath a stroke in its plane."""
-    reaches = (reach for reach, on in zip(_reaches(look), look.drawn, strict=True) if on)
-    return 1.0 if look.strokes == "thin" else 1.0 + max(reaches)
+    """Slopes by which models go back: a pixel, and what lies beneath strokes on both sides of their
+    edge. Half quads lie outside."""
+    if look.strokes == "thin":
+        return 1.0
+    reaches = zip(KINDS, _reaches(look), look.drawn, strict=True)
+    return 1.0 + max((r for bit, r, on in reaches if on and not _is_half(look, bit)), default=0.0)
 
 
 def _uniforms(look: PaperLook, wanted: int, *, hidden: bool) -> dict[str, Uniform]:

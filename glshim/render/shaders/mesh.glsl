@@ -21,8 +21,13 @@ uniform vec4 viewport;   // pixels: its middle, and half its size
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 ivec2 texel(int i) { return ivec2(i & 2047, i >> 11); }
+#ifdef SIEVED
+uniform isampler2D mesh_sieved;     // numbers of the edges that are drawn
+int element() { return texelFetch(mesh_sieved, texel(gl_VertexID / vertices_each), 0).x; }
+#else
 int element() { return gl_VertexID / vertices_each; }
-int corner() { return gl_VertexID - vertices_each * element(); }
+#endif
+int corner() { return gl_VertexID - vertices_each * (gl_VertexID / vertices_each); }
 ivec4 edge_at(int i) { return texelFetch(mesh_edges, texel(i), 0); }
 ivec4 triangle_at(int i) { return texelFetch(mesh_triangles, texel(i), 0); }
 
