@@ -29,7 +29,7 @@ class EdgeSieve:
     def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
         normals = mesh.normals
         corners = [mesh.positions[mesh.triangles[:, k]].astype(np.float64) for k in range(3)]
-        middle = sum(corners) / 3.0 if len(normals) else corners[0]
+        middle = np.mean(corners, axis=0)
         sides = [corners[k] - corners[k - 1] for k in range(3)]
         longest = np.max([dot(side, side) for side in sides], axis=0, initial=0.0)
         area = np.linalg.norm(np.cross(sides[1], sides[2]), axis=1)
@@ -56,14 +56,18 @@ class EdgeSieve:
         eye (4,) homogeneous, in rising order. angles of ridges and valleys in radians."""
         found = self._fixed(wanted, angles)
         if wanted & CONTOUR:
-            seen = np.asarray(eye, np.float32)
-            value = seen @ self._planes
+            # No matrix product: its threads would wait for those that draw.
+            x, y, z, w = np.asarray(eye, np.float32)
+            value = self._planes[0] * x
+            for part, plane in zip((y, z, w), self._planes[1:], strict=True):
+                value += part * plane
             reach = float(np.linalg.norm(eye[:3])) + self._radius * abs(float(eye[3]))
             slack = self._slack * np.float32(reach)
-            facing = (value > slack).astype(np.uint8)
+            facing = (value > slack).view(np.uint8)
             facing[np.abs(value) <= slack] = _EITHER
-            one, other = facing[self._a], facing[self._b]
-            contours = (one != other) | (one == _EITHER)
+            one, other = facing.take(self._a), facing.take(self._b)
+            contours = one != other
+            contours |= one == _EITHER
             contours[self._twisted] = True
             contours &= ~self._boundary
             found = found | contours

@@ -7,7 +7,7 @@ the edge to the side of its stroke. Sources: section 3.3 (equations 2 to 5), sec
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -51,8 +51,9 @@ class Segments:
 
 
 def segments(
-    v0: Doubles, v1: Doubles, n0: Doubles, n1: Doubles, matrix: Doubles, half: tuple[float, float]
-) -> Segments:
+    v0: Doubles, v1: Doubles, n0: Doubles, n1: Doubles, matrix: Doubles, *,
+    half: tuple[float, float],
+) -> Segments:  # fmt: skip
     """Edges from v0 to v1 (E, 3) with vertex normals n0 and n1 (E, 3), under a model view
     projection matrix (4, 4) and half the size of the viewport in pixels.
 
@@ -72,12 +73,24 @@ def segments(
             a, b = (np.where((at <= 0.0)[:, None], met, c) for at, c in ((at_a, a), (at_b, b)))
         shown &= (a[:, 3] > 0.0) & (b[:, 3] > 0.0)
         start, finish = (c[:, :2] / c[:, 3:] * scale for c in (a, b))
-        normals = (
+        start_normal, finish_normal = (
             _unit((flow[:, :2] * c[:, 3:] - c[:, :2] * flow[:, 3:]) * scale)
             for flow, c in ((flow0, a), (flow1, b))
         )
         depths = np.stack((a[:, 2] / a[:, 3], b[:, 2] / b[:, 3]), axis=1)
-        return Segments(start, finish, *normals, depths, shown)
+        return Segments(start, finish, start_normal, finish_normal, depths, shown)
+
+
+def outwards(lines: Segments, within: Doubles, some: NDArray[np.bool_]) -> Segments:
+    """Normals of some edges (E,) turned away from places within their surface (E, 2): where a
+    surface has two sides, the normals of contours may point to either."""
+    p = lines.perpendicular
+    inner = dot(within - lines.start, p)
+    start, finish = (
+        np.where((some & (dot(m, p) * inner > 0.0))[:, None], -m, m)
+        for m in (lines.start_normal, lines.finish_normal)
+    )
+    return replace(lines, start_normal=start, finish_normal=finish)
 
 
 def quads(lines: Segments, reach: Doubles) -> Doubles:
@@ -144,8 +157,8 @@ def along(
 
 
 def outer_along(lines: Segments, reach: Doubles, u: Doubles, capped: bool) -> Doubles:
-    """(E, 2) what u is at the outer corners of half quads at s0 and s1, figure 9: from u0 at the tip
-    of the start cap to u1 at that of the finish cap, by length. A cap that is not drawn has none."""
+    """(E, 2) what u is at the outer corners of half quads at s0 and s1, figure 9: by length from u0
+    at the tip of the start cap to u1 at that of the finish cap. A cap not drawn has no length."""
     a, c = np.zeros((2, len(u)))
     if capped:
         a, c = (

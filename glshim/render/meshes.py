@@ -19,6 +19,7 @@ from glshim.geometry.edges import join
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
 from glshim.geometry.poses import Keyframes, Pose
+from glshim.geometry.vectors import cross, dot
 from glshim.render.driver import gl
 from glshim.render.sieved import Sieved
 from glshim.render.uploads import delete, upload
@@ -108,13 +109,26 @@ def _resident(mesh: Mesh) -> Resident:
     triangles[:, 3] = mesh.closed
     sources: dict[str, NDArray[np.generic]] = {
         "mesh_positions": _four(mesh.positions),
-        "mesh_normals": _shorts(mesh.vertex_normals),
+        "mesh_normals": _shorts(_outwards(mesh)),
         "mesh_edges": edges.indices,
         "mesh_triangles": triangles,
     }
     textures = {name: upload(rows) for name, rows in sources.items()}
     nbytes = sum(rows.nbytes for rows in sources.values())
     return Resident(mesh, edges, textures, nbytes, Sieved(mesh, edges))
+
+
+def _outwards(mesh: Mesh) -> NDArray[np.float64]:
+    """(V, 3) vertex normals, turned round where a closed component winds clockwise seen from
+    outside, as GLUT's teapot does: there they would point into it."""
+    if not mesh.closed.any():
+        return mesh.vertex_normals
+    a, b, c = (mesh.positions[mesh.triangles[:, k]].astype(np.float64) for k in range(3))
+    volume = np.bincount(mesh.components, weights=dot(a, cross(b, c)))[mesh.components]
+    normals = mesh.vertex_normals.copy()
+    inwards = np.unique(mesh.triangles[mesh.closed & (volume < 0.0)])
+    normals[inwards] *= -1.0
+    return normals
 
 
 class Posed:

@@ -73,6 +73,13 @@ Stroke this_stroke() {
     s.p = unit(vec2(-way.y, way.x));
     s.m0 = projected(normal(e.v0), a);
     s.m1 = projected(normal(e.v1), b);
+    // Where a surface has two sides its normals may point to either: away from its own image then.
+    vec4 within = clip(e.p2);
+    if (e.open && (found & CONTOUR_EDGE) != 0 && within.w > 0.0) {
+        float inner = dot(pixels(within) - s.s0, s.p);
+        if (dot(s.m0, s.p) * inner > 0.0) s.m0 = -s.m0;
+        if (dot(s.m1, s.p) * inner > 0.0) s.m1 = -s.m1;
+    }
     s.side0 = side(s.m0, s.p);
     s.side1 = side(s.m1, s.p);
     s.reach = reaches[s.kind];

@@ -12,8 +12,8 @@ from math import cos, radians
 from typing import Literal
 
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
+from glshim.styling.passes import Actions, Body, MeshShader, Pass, Sieve, State, Stencil, bodies
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, Stencil, bodies
 from glshim.styling.protocol import Colour, Layer, Uniform
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
@@ -37,9 +37,7 @@ def _shader(name: str, define: str = "") -> MeshShader:
 
 LINE, QUAD, CAP = (_shader(name) for name in ("line", "quad", "cap"))
 ROUND = _shader("round", "#define ROUND\n")
-RECEDE = MeshShader(
-    "paper recede", _text("recede.vert"), _text("receded") + _text("recede.frag")
-)
+RECEDE = MeshShader("paper recede", _text("recede.vert"), _text("receded") + _text("recede.frag"))
 MASK = MeshShader("paper mask", _text("mask.vert"), _text("mask.frag"))
 
 
@@ -100,7 +98,7 @@ def _silhouettes(look: PaperLook, models: tuple[Body, ...]) -> Iterator[Pass]:
     counted = 0
     for body in models:
         counted = (counted + 1) % 255
-        every = ("keep", "replace" if look.hidden != "none" else "keep", "replace")
+        every: Actions = ("keep", "replace" if look.hidden != "none" else "keep", "replace")
         yield Pass(
             MASK, (body,), "triangles",
             state=State(
@@ -117,18 +115,16 @@ def _strokes(
     """Lines of the kinds that are wanted (bits): hidden ones, then visible ones over them."""
     if look.hidden != "none":
         state = State(depth="greater", blend="greatest", stencil=stencil)
-        yield from _shapes(look, models, state, _uniforms(look, wanted, hidden=True))
+        yield from _shapes(look, models, state, wanted, hidden=True)
     state = State(depth="lequal", blend="greatest", stencil=stencil)
-    yield from _shapes(look, models, state, _uniforms(look, wanted, hidden=False))
+    yield from _shapes(look, models, state, wanted, hidden=False)
 
 
 def _shapes(
-    look: PaperLook, models: tuple[Body, ...], state: State, uniforms: dict[str, Uniform]
+    look: PaperLook, models: tuple[Body, ...], state: State, wanted: int, *, hidden: bool
 ) -> Iterator[Pass]:
-    sieve = Sieve(
-        int(uniforms["wanted"]),  # type: ignore[arg-type]
-        (radians(look.ridge_angle), radians(look.valley_angle)),
-    )
+    uniforms = _uniforms(look, wanted, hidden=hidden)
+    sieve = Sieve(wanted, (radians(look.ridge_angle), radians(look.valley_angle)))
     if look.strokes == "thin":
         yield Pass(LINE, models, "edges", "lines", state=state, uniforms=uniforms, sieve=sieve)
         return
@@ -145,7 +141,7 @@ def _shapes(
 
 
 def _reaches(look: PaperLook) -> tuple[float, ...]:
-    """Pixels from an edge to the side of its stroke: half its width, and all of it in half quads."""
+    """Pixels from an edge to the side of its stroke: half its width; in half quads, all of it."""
     if look.strokes == "thin":
         return (0.5,) * 5
     return tuple(

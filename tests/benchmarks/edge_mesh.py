@@ -48,7 +48,7 @@ class Paper(Styler):
     """The passes alone, without a style's options."""
 
     name: ClassVar[str] = "paper"
-    look: PaperLook = PaperLook()
+    look: PaperLook = THIN
     sieved: bool = True
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
@@ -136,8 +136,9 @@ def main() -> int:
             ratio = median(t / m for t, m in zip(found, times["mesh alone"], strict=True))
             target = TARGETS.get(mode)
             missed += target is not None and ratio > target
+            theirs = f"{PAPER[mode]:.1f}" if mode in PAPER else ""
             print(f"| {mode} | {1000 * median(found):.1f} | {ratio:.2f} "
-                  f"| {target or ''} | {f'{PAPER[mode]:.1f}' if mode in PAPER else ''} |")  # fmt: skip
+                  f"| {target or ''} | {theirs} |")  # fmt: skip
         print()
         os.environ.update(screen)
         print_memory()

@@ -1,4 +1,4 @@
-"""The paper's edge mesh on the GPU is the numpy references': decisions, strokes, textures, poses."""
+"""The paper's edge mesh on the GPU is the numpy references': decisions, strokes, poses."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from glshim.styling.protocol import Layer
 from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes
 from tests import look
 from tests.decision import edge_mesh as decision
+from tests.figures import mcguire
 from tests.score import meshes as scored
 
 ALL = sum(KINDS)
@@ -93,11 +94,16 @@ def reference(resident, camera, bits, parameters, halves):
     edges, mesh = resident.edges.indices, resident.mesh
     v = np.where(edges < 0, ~edges, edges)
     at, normals = mesh.positions.astype(float), np.rint(mesh.vertex_normals * 32767) / 32767
+    opened = edges[:, 0] < 0
     kind = np.array([next((k for k in range(5) if b >> k & 1), 0) for b in bits])
     matrix = camera.projection @ camera.modelview
     half = (VIEW[2] / 2, VIEW[3] / 2)
     lines = thick_lines.segments(at[v[:, 0]], at[v[:, 1]], normals[v[:, 0]], normals[v[:, 1]],
-                                 matrix, half)  # fmt: skip
+                                 matrix, half=half)  # fmt: skip
+    within = np.c_[at[v[:, 2]], np.ones(len(v))] @ matrix.T
+    some = opened & (bits & 1 > 0) & (within[:, 3] > 0)
+    with np.errstate(all="ignore"):
+        lines = thick_lines.outwards(lines, within[:, :2] / within[:, 3:] * half, some)
     widths = np.array(LOOK.widths)[kind]
     half_quad = halves & (kind == 0)
     reach = np.where(half_quad, widths, widths / 2)
@@ -121,7 +127,8 @@ def test_quads_and_caps_are_equations_2_to_5(run, name, strokes, parameters, mak
     body = Body((mesh,), camera)
     resident = resident_of(run, body)
     style = replace(LOOK, strokes=strokes, parameters=parameters)
-    passes = {p.shader: replace(p, sieve=None) for p in paper_passes(style, Layer(((mesh, camera),)))}
+    layer = Layer(((mesh, camera),))
+    passes = {p.shader: replace(p, sieve=None) for p in paper_passes(style, layer)}
     names = {"gl_Position": 4, "grain": 2}
     with Guard():
         quads, caps = (
@@ -179,7 +186,7 @@ def test_quads_and_caps_are_equations_2_to_5(run, name, strokes, parameters, mak
 def test_equations_by_hand():
     at = np.array([[-0.5, 0.0, 0.0]]), np.array([[0.5, 0.0, 0.0]])
     normals = np.array([[-1.0, 1.0, 0.0]]), np.array([[0.0, -1.0, 0.0]])
-    lines = thick_lines.segments(*at, *normals, np.eye(4), (100.0, 100.0))
+    lines = thick_lines.segments(*at, *normals, np.eye(4), half=(100.0, 100.0))
     reach = np.array([2.0])
     assert np.allclose(lines.perpendicular, [[0, 1]])
     assert [s.tolist() for s in lines.sides] == [[1.0], [-1.0]]
@@ -203,7 +210,7 @@ def test_an_edge_through_the_viewer_is_cut():
     matrix = look.perspective(near=0.1)
     behind = thick_lines.segments(
         np.array([[0.0, 0.1, -2.0], [0, 0, 1]]), np.array([[0.3, 0.1, 3.0], [0, 0, 2]]),
-        np.ones((2, 3)), np.ones((2, 3)), matrix, (100.0, 100.0),
+        np.ones((2, 3)), np.ones((2, 3)), matrix, half=(100.0, 100.0),
     )  # fmt: skip
     assert behind.shown.tolist() == [True, False]
     assert np.isfinite(behind.finish[0]).all()
@@ -230,20 +237,20 @@ def bend(mesh, angle):
                 np.stack((np.eye(4, dtype=np.float32), turn)), bones, weights)  # fmt: skip
 
 
-POSES = {
-    "morph 0": (look.torus, lambda m: morph(m, 0.0)),
-    "morph 0.3": (look.torus, lambda m: morph(m, 0.3)),
-    "morph 1": (look.torus, lambda m: morph(m, 1.0)),
-    "tube 20": (lambda: tube(), lambda m: bend(m, radians(20))),
-    "tube 70": (lambda: tube(), lambda m: bend(m, radians(70))),
-}
-
-
 def tube():
     return look._grid(
         lambda u, v: (0.5 * np.cos(2 * np.pi * u), 0.5 * np.sin(2 * np.pi * u), 2.4 * v - 1.2),
         20, 24, True, False,
     )  # fmt: skip
+
+
+POSES = {
+    "morph 0": (look.torus, lambda m: morph(m, 0.0)),
+    "morph 0.3": (look.torus, lambda m: morph(m, 0.3)),
+    "morph 1": (look.torus, lambda m: morph(m, 1.0)),
+    "tube 20": (tube, lambda m: bend(m, radians(20))),
+    "tube 70": (tube, lambda m: bend(m, radians(70))),
+}
 
 
 @pytest.mark.parametrize("name", POSES)
@@ -404,3 +411,36 @@ def test_the_angles_are_the_looks(run):
     camera = decision.cameras(1)[0]
     passes = list(paper_passes(style, Layer(((look.cube(), camera),))))
     assert passes[-1].uniforms["turns"][0] == cos(radians(80))
+
+
+@pytest.mark.parametrize("make", [look.torus, look.bowl, look.cylinder])
+def test_half_quads_lie_outside_however_the_polygons_wind(run, make):
+    backend = Backend.attach()
+    mesh = make()
+    back = look.batch(mesh.positions, [p[::-1] for p in look.polygons_of(mesh)])
+    style = PaperLook(strokes="half", caps="round", widths=(6.0,) * 5, outer=True,
+                      drawn=(True, False, False, False, False))  # fmt: skip
+    for camera in decision.cameras(4):
+        before, one = picture(backend, style, [(mesh, camera)])
+        _, other = picture(backend, style, [(back, camera)])
+        ink = (before != one).any(axis=2)
+        assert ink.sum() > 500
+        assert (ink != (before != other).any(axis=2)).sum() < 0.02 * ink.sum()
+
+
+
+def test_round_ends_close_the_gaps_of_figure_5(run):
+    """Along the near rim the paper's caps leave wedges open, and round ends none."""
+    none, paper, round_ = mcguire.figure5_tiles(Backend.attach())
+    at = mcguire.MESH.positions
+    near = at[(at[:, 2] > 0) & (at[:, 1] < -0.3)]
+    places = np.c_[near, np.ones(len(near))] @ mcguire.CAMERA.modelview.T
+    places = places @ mcguire.CAMERA.projection.T
+    window = (places[:, :2] / places[:, 3:] + 1) * mcguire.SIZE / 2
+    # Below each corner of the rim, a little within the strokes' lower side.
+    columns, rows = np.floor(window - (0.0, 9.0)).astype(int).T
+    columns = columns[:, None] + np.arange(-2, 3)
+    open_ = [int((tile[::-1][rows[:, None], columns].max(axis=2) > 100).sum())
+             for tile in (none, paper, round_)]  # fmt: skip
+    assert open_[0] > 0 and open_[1] > 0
+    assert open_[2] == 0
