@@ -31,10 +31,15 @@ class Canvas:
         shaders = files(__package__) / "shaders"
         texts = (shaders / name for name in ("over.vert.glsl", "over.frag.glsl"))
         head = f"#version {130 if modern else 120}\n"
-        self._over = compiled("over", *(head + text.read_text("utf-8") for text in texts))
+        vertex, fragment = (text.read_text("utf-8") for text in texts)
+        self._over = {  # drivers in software walk through branches that are never taken
+            tidy: compiled("over", head + vertex, head + "#define TIDY\n" * tidy + fragment)
+            for tidy in (False, True)
+        }
         self._at = {
-            name: int(gl.glGetUniformLocation(self._over, name.encode()))
-            for name in ("ink", "box", "size", "tidy")
+            (tidy, name): int(gl.glGetUniformLocation(over, name.encode()))
+            for tidy, over in self._over.items()
+            for name in ("ink", "box", "size")
         }
         self.size = (0, 0)
         """Pixels."""
@@ -69,12 +74,11 @@ class Canvas:
         gl.glViewport(0, 0, *self.size)
         gl.glActiveTexture(_TEXTURE_0 + _UNIT)
         gl.glBindTexture(_TEXTURE_2D, self._texture)
-        gl.glUseProgram(self._over)
+        gl.glUseProgram(self._over[tidy])
         x, y, width, height = box
-        gl.glUniform1i(self._at["ink"], _UNIT)
-        gl.glUniform4f(self._at["box"], x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)
-        gl.glUniform2f(self._at["size"], *map(float, self.size))
-        gl.glUniform1f(self._at["tidy"], float(tidy))
+        gl.glUniform1i(self._at[tidy, "ink"], _UNIT)
+        gl.glUniform4f(self._at[tidy, "box"], x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)
+        gl.glUniform2f(self._at[tidy, "size"], *map(float, self.size))
         # One triangle over everything, in calls that every version has.
         gl.glBegin(0x0004)
         for corner in ((-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)):

@@ -10,7 +10,9 @@ __all__ = ["current_context", "gl", "integer"]
 
 SIGNATURES.update(
     {
+        "glBeginTransformFeedback": "u",
         "glBindAttribLocation": "uup",
+        "glBindBufferBase": "uuu",
         "glBindRenderbuffer": "uu",
         "glBlendEquation": "u",
         "glBlendFunc": "uu",
@@ -29,6 +31,7 @@ SIGNATURES.update(
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glEnableVertexAttribArray": "u",
+        "glEndTransformFeedback": "",
         "glFramebufferRenderbuffer": "uuuu",
         "glFramebufferTexture2D": "uuuui",
         "glGenRenderbuffers": "ip",

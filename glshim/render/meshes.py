@@ -6,7 +6,6 @@ of 16 bytes a triangle. `docs/edge_mesh.md` compares that with the paper's.
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -21,18 +20,15 @@ from glshim.geometry.outward import outward
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.render.driver import gl
 from glshim.render.objects import Objects
+from glshim.render.sieved import Sieved
+from glshim.render.uploads import delete, upload
 
-WIDTH = 2048
-"""Texels in a row of a texture."""
 UNITS = {
     "mesh_positions": 6, "mesh_normals": 7, "mesh_edges": 8, "mesh_triangles": 9,
     "next_positions": 10, "next_normals": 11, "mesh_bones": 10, "mesh_weights": 11,
     "mesh_rest": 12,
 }  # fmt: skip
-_TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
-_FLOAT, _INT, _SHORT, _RGBA, _RGBA_INTEGER = 0x1406, 0x1404, 0x1402, 0x1908, 0x8D99
-_RGBA_32F, _RGBA_32I, _RGBA_16_SNORM = 0x8814, 0x8D82, 0x8F9B
-_PLAIN = ((0x2801, 0x2600), (0x2800, 0x2600), (0x813D, 0))  # nearest, one level
+_TEXTURE_0, _TEXTURE_2D = 0x84C0, 0x0DE1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,6 +39,7 @@ class Resident:
     edges: EdgeMesh
     textures: dict[str, int]
     nbytes: int
+    sieved: Sieved
 
     def bind(self) -> None:
         """At `UNITS`."""
@@ -52,7 +49,8 @@ class Resident:
 
     def free(self) -> None:
         """Delete the textures."""
-        _delete(self.textures.values())
+        delete(self.textures.values())
+        self.sieved.free()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,7 +68,7 @@ class Rest:
 
     def free(self) -> None:
         """Delete the texture."""
-        _delete((self.texture,))
+        delete((self.texture,))
 
 
 class Residents:
@@ -110,7 +108,7 @@ class Residents:
         if rest is None:
             rows = _four(mesh.positions)
             rows[:, 3] = outward(mesh)
-            rest = Rest(mesh.triangles, _upload(rows))
+            rest = Rest(mesh.triangles, upload(rows))
             self._rests.put(id(mesh.triangles), rest, rows.nbytes)
         rest.bind()
 
@@ -127,12 +125,19 @@ def _resident(mesh: Mesh) -> Resident:
     triangles[:, 3] = mesh.closed
     sources: dict[str, NDArray[np.generic]] = {
         "mesh_positions": _four(mesh.positions),
-        "mesh_normals": _shorts(mesh.vertex_normals),
+        "mesh_normals": _shorts(_outwards(mesh)),
         "mesh_edges": edges.indices,
         "mesh_triangles": triangles,
     }
-    textures = {name: _upload(rows) for name, rows in sources.items()}
-    return Resident(mesh, edges, textures, sum(rows.nbytes for rows in sources.values()))
+    textures = {name: upload(rows) for name, rows in sources.items()}
+    nbytes = sum(rows.nbytes for rows in sources.values())
+    return Resident(mesh, edges, textures, nbytes, Sieved(mesh, edges))
+
+
+def _outwards(mesh: Mesh) -> NDArray[np.float64]:
+    """(V, 3) vertex normals, turned round where they would point into their component: apps wind
+    their polygons either way."""
+    return mesh.vertex_normals * np.where(outward(mesh) < 0.0, -1.0, 1.0)[:, None]
 
 
 class Posed:
@@ -149,7 +154,7 @@ class Posed:
                 "mesh_bones": np.ascontiguousarray(pose.bones, np.int32),
                 "mesh_weights": np.ascontiguousarray(pose.weights, np.float32),
             }  # fmt: skip
-        self._textures = {name: _upload(rows) for name, rows in sources.items()}
+        self._textures = {name: upload(rows) for name, rows in sources.items()}
 
     def bind(self) -> None:
         """At `UNITS`."""
@@ -159,7 +164,7 @@ class Posed:
 
     def release(self) -> None:
         """Delete them."""
-        _delete(self._textures.values())
+        delete(self._textures.values())
 
 
 def _four(rows: NDArray[np.floating]) -> NDArray[np.float32]:
@@ -174,33 +179,3 @@ def _shorts(normals: NDArray[np.float64]) -> NDArray[np.int16]:
     wide = np.zeros((len(normals), 4), np.int16)
     wide[:, :3] = np.rint(np.nan_to_num(normals) * 32767.0)
     return wide
-
-
-def _upload(rows: NDArray[np.generic]) -> int:
-    """The name of a texture whose texels are rows (N, 4)."""
-    kinds = {"f": (_RGBA_32F, _RGBA, _FLOAT), "i": (_RGBA_32I, _RGBA_INTEGER, _INT)}
-    inner, outer, kind = kinds[rows.dtype.kind]
-    if rows.dtype == np.int16:
-        inner, outer, kind = _RGBA_16_SNORM, _RGBA, _SHORT
-    height = max(1, -(-len(rows) // WIDTH))
-    padded = np.zeros((height * WIDTH, 4), rows.dtype)
-    padded[: len(rows)] = rows
-    name = ctypes.c_uint()
-    gl.glGenTextures(1, ctypes.addressof(name))
-    gl.glActiveTexture(_TEXTURE_0 + UNITS["mesh_positions"])
-    gl.glBindTexture(_TEXTURE_2D, name.value)
-    gl.glBindBuffer(_UNPACK_BUFFER, 0)
-    for alignment in ((0x0CF5, 4), (0x0CF2, 0), (0x0CF3, 0), (0x0CF4, 0)):
-        gl.glPixelStorei(*alignment)
-    for parameter, value in _PLAIN:
-        gl.glTexParameteri(_TEXTURE_2D, parameter, value)
-    gl.glTexImage2D(
-        _TEXTURE_2D, 0, inner, WIDTH, height, 0, outer, kind, padded.ctypes.data
-    )
-    return name.value
-
-
-def _delete(textures: object) -> None:
-    names = list(textures)  # type: ignore[call-overload]
-    values = (ctypes.c_uint * len(names))(*names)
-    gl.glDeleteTextures(len(names), ctypes.addressof(values))

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Hashable, Sequence
-from dataclasses import replace
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from math import isfinite
 from typing import Any
 
 import moderngl
 import numpy as np
+from numpy.typing import NDArray
 
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
@@ -24,6 +25,7 @@ from glshim.render.driver import gl
 from glshim.render.meshes import UNITS, Posed, Resident, Residents
 from glshim.render.objects import Objects
 from glshim.render.programs import Program
+from glshim.render.sieved import UNIT as SIEVED_UNIT
 from glshim.render.stage import NOTHING_DRAWN, Stage
 from glshim.render.textures import Textures
 from glshim.styling.passes import VERTICES, Body, Comparison, MeshShader, Pass, State, Stencil
@@ -41,6 +43,8 @@ _ACTIONS = {"keep": 0x1E00, "replace": 0x1E01, "increase": 0x8507, "decrease": 0
 _BLEND, _CULL, _STENCIL, _DEPTH_TEST = 0x0BE2, 0x0B44, 0x0B90, 0x0B71
 _OFFSET, _OFFSET_LINE, _CLAMP, _PRIMITIVE_RESTART = 0x8037, 0x2A02, 0x864F, 0x8F9D
 _ARRAY_BUFFER = 0x8892
+_FEEDBACK_BUFFER, _DISCARD = 0x8C8E, 0x8C89
+_UNITS = UNITS | {"mesh_sieved": SIEVED_UNIT, "app_colour": COLOUR_UNIT}
 
 
 class Runner:
@@ -96,7 +100,65 @@ class Runner:
         gl.glDisable(_STENCIL)
         self._stage.put_over(window, box)
 
+    def varyings(
+        self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
+    ) -> list[dict[str, NDArray[np.float32]]]:
+        """What the vertex shader of a pass makes of each body: (elements, vertices, size) by name,
+        for names and their sizes (floats). Transform feedback; what tests hold to the numpy
+        references."""
+        found = []
+        for body in one.bodies:
+            camera = body.camera.affine()
+            inputs = inputs_of(camera, depth, away=1.0, hair=hair)
+            if inputs is None:
+                raise RenderError("this camera sees nothing")
+            ready = self._ready(one, replace(body, camera=camera), inputs, tuple(names))
+            if ready is None:
+                raise RenderError("this pose is another mesh's")
+            count = ready.elements * ready.each
+            width = sum(names.values())
+            target = self._context.buffer(reserve=max(count, 1) * width * 4)
+            gl.glBindVertexArray(self._array)
+            gl.glUseProgram(ready.program.name)
+            gl.glBindBufferBase(_FEEDBACK_BUFFER, 0, target.glo)
+            gl.glEnable(_DISCARD)
+            gl.glBeginTransformFeedback(0)
+            gl.glDrawArrays(0, 0, count)
+            gl.glEndTransformFeedback()
+            gl.glDisable(_DISCARD)
+            ready.release()
+            rows = np.frombuffer(target.read(), np.float32)[: count * width]
+            rows = rows.reshape(ready.elements, ready.each, width)
+            target.release()
+            ends = np.cumsum(list(names.values()))
+            found.append(
+                {
+                    name: rows[..., end - size : end]
+                    for (name, size), end in zip(names.items(), ends, strict=True)
+                }
+            )
+            self.residents.release()
+        return found
+
     def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
+        ready = self._ready(one, body, inputs)
+        if ready is None:
+            return
+        camera = body.camera
+        gl.glViewport(*camera.viewport)
+        gl.glDepthRange(*camera.depth_range)
+        scissor(camera, box)
+        gl.glUseProgram(ready.program.name)
+        gl.glBindVertexArray(self._array)
+        count = ready.elements * ready.each
+        if count:
+            gl.glDrawArraysInstanced(_MODES[one.primitive], 0, count, one.copies)
+        ready.release()
+
+    def _ready(
+        self, one: Pass, body: Body, inputs: dict[str, Any], varyings: tuple[str, ...] = ()
+    ) -> _Ready | None:
+        """A pass over a body with its textures bound and its uniforms set."""
         camera = body.camera
         resident: Resident | None = None
         count, each = 1, 3
@@ -111,12 +173,16 @@ class Runner:
                     f"style shader {one.shader.name!r} is left out: its pose has "
                     f"{_size_of(one.pose)} vertices, the mesh {len(resident.mesh.positions)}"
                 )
-                return
+                return None
             posed = Posed(one.pose)
-        program = self._program(one.shader, one.pose)
+        seen = seen_from(camera, one.light)
+        sieve = one.sieve if posed is None and one.element == "edges" else None
+        if resident is not None and sieve is not None:
+            count = resident.sieved.bind(np.array(seen["eye"]), sieve)
+        program = self._program(one.shader, one.pose, sieve is not None, varyings)
         program.set(inputs)
-        program.set(seen_from(camera, one.light))
-        program.set(UNITS | {"vertices_each": each, "app_colour": COLOUR_UNIT})
+        program.set(seen)
+        program.set(_UNITS | {"vertices_each": each})
         program.set(one.uniforms)
         if isinstance(one.pose, Keyframes):
             program.set({"share": one.pose.share})
@@ -128,36 +194,47 @@ class Runner:
                 self.residents.bind_rest(resident)
         if posed is not None:
             posed.bind()
-        gl.glViewport(*camera.viewport)
-        gl.glDepthRange(*camera.depth_range)
-        scissor(camera, box)
-        gl.glUseProgram(program.name)
-        gl.glBindVertexArray(self._array)
-        mode = _MODES[one.primitive]
-        gl.glDrawArraysInstanced(mode, 0, count * each, one.copies)
-        if posed is not None:
-            posed.release()
+        return _Ready(program, count, each, posed)
 
-    def _program(self, shader: MeshShader, pose: Pose | None) -> Program:
-        moved = ""
+    def _program(
+        self, shader: MeshShader, pose: Pose | None, sieved: bool, varyings: tuple[str, ...]
+    ) -> Program:
+        moved = "#define SIEVED\n" if sieved else ""
         if isinstance(pose, Keyframes):
-            moved = "#define KEYFRAMES\n"
+            moved += "#define KEYFRAMES\n"
         elif pose is not None:
-            moved = f"#define BONES {len(pose.matrices)}\n"
-        key = (shader, moved)
+            moved += f"#define BONES {len(pose.matrices)}\n"
+        key = (shader, moved, varyings)
         found = self._programs.get(key)
         if found is None:
             head = f"#version 330\n{moved}"
+            fragment = f"{head}{_DEPTH}#line 1\n{shader.fragment}"
             try:
                 made = self._context.program(
                     vertex_shader=f"{head}#define VERTEX_STAGE\n{_DEPTH}{_MESH}#line 1\n"
                     f"{shader.vertex}",
-                    fragment_shader=f"{head}{_DEPTH}#line 1\n{shader.fragment}",
+                    fragment_shader=None if varyings else fragment,
+                    varyings=varyings,
                 )
             except moderngl.Error as error:
                 raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
             found = self._programs[key] = Program(made)
         return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Ready:
+    """A program with all that it reads."""
+
+    program: Program
+    elements: int
+    each: int
+    """Vertices of an element."""
+    posed: Posed | None
+
+    def release(self) -> None:
+        if self.posed is not None:
+            self.posed.release()
 
 
 def seen_from(camera: Camera, light: Sequence[float]) -> dict[str, Any]:

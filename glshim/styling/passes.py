@@ -77,6 +77,17 @@ class State:
 
 
 @dataclass(frozen=True, slots=True)
+class Sieve:
+    """Edges that equation 1 surely calls none of these are left out before the shader decides.
+    Of meshes that a pose moves none are."""
+
+    wanted: int
+    """Bits of `glshim.geometry.edge_mesh.features`."""
+    angles: tuple[float, float]
+    """Of ridges and valleys, radians."""
+
+
+@dataclass(frozen=True, slots=True)
 class Pass:
     """One shader over the elements of bodies."""
 
@@ -97,6 +108,8 @@ class Pass:
     """Where the light is in eye space, homogeneous (`Layer.light`, or a styler's own)."""
     pose: Pose | None = None
     """How the shader moves vertices before anything else; None: as the app sent them."""
+    sieve: Sieve | None = None
+    """For edges: which of them may be left out; None: none."""
 
 
 def bodies(layer: Layer) -> tuple[Body, ...]:

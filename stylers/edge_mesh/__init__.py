@@ -6,9 +6,9 @@ M. McGuire, J. F. Hughes, "Hardware-Determined Feature Edges", NPAR 2004.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import radians
-from typing import ClassVar
+from typing import Any, ClassVar, cast
 
 from glshim.geometry.chains import Pattern
 from glshim.geometry.feature_lines import Features
@@ -17,8 +17,9 @@ from glshim.geometry.raskar import INWARD
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
-from stylers import strokes
+from stylers.edge_mesh.paper import PaperLook, paper_passes
 from stylers.raskar import SHADER
+from stylers.strokes import MADE, made
 
 _SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
 _DASH = 12.0
@@ -32,9 +33,8 @@ def _width(what: str) -> float:
     return width
 
 
-def _colour(what: str) -> Colour:
-    colour: Colour = option("#000000", help=f"colour of {what}")
-    return colour
+def _colour(what: str) -> Any:
+    return option("#000000", help=f"colour of {what}")
 
 
 @dataclass(frozen=True)
@@ -51,10 +51,10 @@ class EdgeMesh(Styler):
     ridge_width: float = _width("ridges")
     valley_width: float = _width("valleys")
     boundary_width: float = _width("boundary edges")
-    contour_ink: Colour = _colour("contours")
-    ridge_ink: Colour = _colour("ridges")
-    valley_ink: Colour = _colour("valleys")
-    boundary_ink: Colour = _colour("boundary edges")
+    contour_ink: Colour = _colour("contours")  # noqa: RUF009
+    ridge_ink: Colour = _colour("ridges")  # noqa: RUF009
+    valley_ink: Colour = _colour("valleys")  # noqa: RUF009
+    boundary_ink: Colour = _colour("boundary edges")  # noqa: RUF009
     ridge_angle: float = option(
         120.0, help="a ridge has a lesser dihedral angle", low=0.0, high=360.0, unit="degrees"
     )
@@ -68,9 +68,22 @@ class EdgeMesh(Styler):
     suggestive_width: float = option(
         1.5, help="width of suggestive contours", low=0.5, high=64.0, unit="px"
     )
-    suggestive_ink: Colour = _colour("suggestive contours")
+    suggestive_ink: Colour = _colour("suggestive contours")  # noqa: RUF009
     tolerance: float = option(
         0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
+    strokes: str = option(
+        "chained",
+        help="chained: joined along chains of edges; the others edge by edge on the GPU, as in the "
+        "paper: lines of a pixel, quads, or quads on the outside of contours",
+        choices=("chained", "thin", "quads", "half"),
+    )
+    caps: str = option(
+        "round", help="ends of quads: round, the paper's two triangles, or none",
+        choices=("round", "paper", "none"),
+    )  # fmt: skip
+    outer: bool = option(
+        False, help="contours only against what is not the object itself (the stencil decides)"
     )
     hidden: str = option(
         "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
@@ -78,7 +91,7 @@ class EdgeMesh(Styler):
     texture: str = option(
         "none",
         help="what strokes are drawn with; dark is ink in a grey picture, others keep colours",
-        choices=("none", *strokes.MADE),
+        choices=("none", *MADE),
         picture=True,
     )
     texture_length: float = option(
@@ -87,6 +100,12 @@ class EdgeMesh(Styler):
         low=0.0,
         high=4096.0,
         unit="px",
+    )
+    parameters: str = option(
+        "screen",
+        help="how a texture lies along strokes that are not chained: from each edge's own number, "
+        "or cut out of the screen",
+        choices=("screen", "object"),
     )
     fill: str | Colour = option(  # noqa: RUF009
         "app", help="the surfaces: as the app drew them, none, or flat in a colour",
@@ -99,10 +118,20 @@ class EdgeMesh(Styler):
         return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
-        """One draw a batch; batches that share a camera are one mesh."""
+        """Strokes of the chains of all batches, or passes over them. Batches that share a camera
+        are one mesh."""
+        if self.strokes != "chained":
+            yield from paper_passes(self._look(), layer)
+            return
+        yield from self._chained(layer)
+        if self.outer and self.contours:
+            yield from paper_passes(self._silhouettes(), layer)
+
+    def _chained(self, layer: Layer) -> Iterable[Draw]:
+        """One draw a batch."""
         pattern, image, tinted = self._stroke()
         wanted = Features(
-            self.contours,
+            self.contours and not self.outer,
             radians(self.ridge_angle) if self.ridges else None,
             radians(self.valley_angle) if self.valleys else None,
             boundary=self.boundary,
@@ -123,6 +152,38 @@ class EdgeMesh(Styler):
         }
         for batch, camera in layer.items:
             yield Draw(batch, camera, wanted, SHADER, uniforms, image)
+
+    def _look(self) -> PaperLook:
+        """The options as the paper's passes have them."""
+        image, length = None, 0.0
+        if self.texture != "none":
+            image, length, _ = made(
+                self.texture, self.contour_width, self.texture_length
+            )
+        return PaperLook(
+            strokes=cast(Any, self.strokes),
+            caps=cast(Any, self.caps),
+            drawn=(self.contours, self.ridges, self.valleys, False, self.boundary),
+            widths=(
+                self.contour_width, self.ridge_width, self.valley_width, 1.0, self.boundary_width,
+            ),
+            inks=(
+                self.contour_ink, self.ridge_ink, self.valley_ink, self.ridge_ink,
+                self.boundary_ink,
+            ),
+            ridge_angle=self.ridge_angle,
+            valley_angle=360.0 - self.valley_angle,
+            hidden=cast(Any, self.hidden),
+            outer=self.outer,
+            image=image,
+            length=length,
+            parameters=cast(Any, self.parameters),
+        )  # fmt: skip
+
+    def _silhouettes(self) -> PaperLook:
+        """Contours against what is not the object itself, alone."""
+        drawn = (True, False, False, False, False)
+        return replace(self._look(), strokes="half", caps="round", drawn=drawn, hidden="none")
 
     @property
     def _widths(self) -> tuple[float, ...]:
@@ -147,7 +208,7 @@ class EdgeMesh(Styler):
                 return None, None, 1.0
             return Pattern((_DASH,) * GROUPS, middle), None, 1.0
         width = self.contour_width
-        image, length, coloured = strokes.made(self.texture, width, self.texture_length)
+        image, length, coloured = made(self.texture, width, self.texture_length)
         lengths = tuple(length * own / width for own in self._widths)
         return Pattern(lengths, middle), image, 0.0 if coloured else 1.0
 

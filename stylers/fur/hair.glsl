@@ -19,10 +19,8 @@ out vec3 lit;           // Lambert's term, wrapped; Kajiya & Kay's sheen; whethe
 
 // The normal out of the object; out of a sheet, to the viewer.
 vec3 out_of(int v, vec3 place) {
-    float sign_out = rest(v).w;
     vec3 n = normal(v);
-    if (sign_out == 0.0) sign_out = dot(n, towards(eye, place)) < 0.0 ? -1.0 : 1.0;
-    return sign_out * n;
+    return rest(v).w == 0.0 && dot(n, towards(eye, place)) < 0.0 ? -n : n;
 }
 
 // The end of a hair at a height: bent towards the lower rim of the picture, never longer than 1.

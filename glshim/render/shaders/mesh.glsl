@@ -5,11 +5,11 @@
 //         as their section 6 foresees. Numpy references: glshim/geometry/edge_mesh.py, poses.py.
 
 uniform sampler2D mesh_positions;   // object space
-uniform sampler2D mesh_normals;
+uniform sampler2D mesh_normals;     // out of the object, where it has an outside
 uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
 uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed
-uniform sampler2D mesh_rest;        // positions as first seen; +1: normals point outwards, -1:
-                                    // inwards, 0: a sheet, which has no outside
+uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wind about what is
+                                    // out, -1: about what is in, 0: a sheet has no outside
 uniform int vertices_each;          // vertices an element is drawn with
 
 uniform mat4 modelview;
@@ -23,8 +23,13 @@ uniform vec4 viewport;   // pixels: its middle, and half its size
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 ivec2 texel(int i) { return ivec2(i & 2047, i >> 11); }
+#ifdef SIEVED
+uniform isampler2D mesh_sieved;     // numbers of the edges that are drawn
+int element() { return texelFetch(mesh_sieved, texel(gl_VertexID / vertices_each), 0).x; }
+#else
 int element() { return gl_VertexID / vertices_each; }
-int corner() { return gl_VertexID - vertices_each * element(); }
+#endif
+int corner() { return gl_VertexID - vertices_each * (gl_VertexID / vertices_each); }
 ivec4 edge_at(int i) { return texelFetch(mesh_edges, texel(i), 0); }
 ivec4 triangle_at(int i) { return texelFetch(mesh_triangles, texel(i), 0); }
 

@@ -2,11 +2,10 @@
 //         here and there.
 //         GLSL 1.20 and, with faster look-ups, 1.30.
 // Inputs: ink (premultiplied), as large as the viewport; box: least and greatest pixel centre;
-//         size: pixels of ink; tidy: 0 leaves specks (a pattern may be made of them).
+//         size: pixels of ink; without TIDY specks stay (a pattern may be made of them).
 uniform sampler2D ink;
 uniform vec4 box;
 uniform vec2 size;
-uniform float tidy;
 
 const float FAINT = 0.1;   // less ink than that joins nothing
 
@@ -63,5 +62,8 @@ bool lonely() {
 
 void main() {
     gl_FragColor = ink_at(gl_FragCoord.xy);
-    if (gl_FragColor.a == 0.0 || tidy > 0.0 && lonely()) discard;
+    if (gl_FragColor.a == 0.0) discard;
+#ifdef TIDY
+    if (lonely()) discard;
+#endif
 }

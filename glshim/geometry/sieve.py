@@ -1,0 +1,86 @@
+"""Which edges may be features, before the GPU decides: those that surely are none are left out.
+
+Of 200,000 edges a few thousand remain. One product a triangle and one look-up an edge finds them,
+which a processor does sooner than a driver in software runs equation 1 for every vertex.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, EdgeMesh
+from glshim.geometry.mesh import Mesh
+from glshim.geometry.vectors import dot
+
+Ints = NDArray[np.int32]
+_ROUNDING = 2e-6
+"""Of float32 in a facing test, over the lengths that go into it; for slivers it is more."""
+_SLACK = 1e-4
+"""Of the cosine between normals in float32."""
+_BACK, _FRONT, _EITHER = 0, 1, 2
+
+
+class EdgeSieve:
+    """Candidates among the edges of a mesh that does not move."""
+
+    def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
+        normals = mesh.normals
+        corners = [mesh.positions[mesh.triangles[:, k]].astype(np.float64) for k in range(3)]
+        middle = np.mean(corners, axis=0)
+        sides = [corners[k] - corners[k - 1] for k in range(3)]
+        longest = np.max([dot(side, side) for side in sides], axis=0, initial=0.0)
+        area = np.linalg.norm(np.cross(sides[1], sides[2]), axis=1)
+        planes = np.concatenate((normals, -dot(normals, middle)[:, None]), axis=1)
+        self._planes = np.ascontiguousarray(planes.T, np.float32)
+        slack = _ROUNDING * (1.0 + longest / np.maximum(area, 1e-300))
+        self._slack = np.minimum(slack, 1e30).astype(np.float32)
+        self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
+        a, b = mesh.faces[edges.rows].T
+        b = np.where(b < 0, a, b)
+        self._a, self._b = a.astype(np.intp), b.astype(np.intp)
+        self._twisted = np.flatnonzero(mesh.twisted[edges.rows])
+        v0, v1, _, v3 = (np.where(i < 0, ~i, i) for i in edges.indices.T)
+        self._boundary, self._marked = v3 == v0, v3 == v1
+        self._creases = ~self._boundary & ~self._marked & (edges.indices[:, 2] >= 0)
+        self._product = dot(normals[self._a], normals[self._b])
+        self._product[self._twisted] = -1.0
+        self._fixed = lru_cache(maxsize=4)(self._fixed_now)
+
+    def candidates(
+        self, eye: NDArray[np.floating], wanted: int, angles: tuple[float, float]
+    ) -> Ints:
+        """The rows of the edge mesh that may have one of the wanted bits of `features`, seen from
+        eye (4,) homogeneous, in rising order. angles of ridges and valleys in radians."""
+        found = self._fixed(wanted, angles)
+        if wanted & CONTOUR:
+            # No matrix product: its threads would wait for those that draw.
+            x, y, z, w = np.asarray(eye, np.float32)
+            value = self._planes[0] * x
+            for part, plane in zip((y, z, w), self._planes[1:], strict=True):
+                value += part * plane
+            reach = float(np.linalg.norm(eye[:3])) + self._radius * abs(float(eye[3]))
+            slack = self._slack * np.float32(reach)
+            facing = (value > slack).view(np.uint8)
+            facing[np.abs(value) <= slack] = _EITHER
+            one, other = facing.take(self._a), facing.take(self._b)
+            contours = one != other
+            contours |= one == _EITHER
+            contours[self._twisted] = True
+            contours &= ~self._boundary
+            found = found | contours
+        return np.flatnonzero(found).astype(np.int32)
+
+    def _fixed_now(self, wanted: int, angles: tuple[float, float]) -> NDArray[np.bool_]:
+        """(E,) what may be a feature from everywhere."""
+        found = np.zeros(len(self._a), np.bool_)
+        if wanted & BOUNDARY:
+            found |= self._boundary
+        if wanted & MARKED:
+            found |= self._marked
+        for bit, angle in zip((RIDGE, VALLEY), angles, strict=True):
+            if wanted & bit:
+                found |= self._creases & (self._product < -np.cos(angle) + _SLACK)
+        return found
