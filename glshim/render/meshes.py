@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
-from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
+from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh, inner_sides
 from glshim.geometry.edges import join
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
@@ -40,6 +40,8 @@ class Resident:
 
     mesh: Mesh
     edges: EdgeMesh
+    counts: dict[str, int]
+    """Rows of each kind of element (`glshim.styling.passes.Element`)."""
     textures: dict[str, int]
     nbytes: int
 
@@ -111,11 +113,16 @@ def _resident(mesh: Mesh) -> Resident:
     sources: dict[str, NDArray[np.generic]] = {
         "mesh_positions": _four(mesh.positions),
         "mesh_normals": _shorts(mesh.vertex_normals),
-        "mesh_edges": edges.indices,
+        "mesh_edges": np.concatenate((edges.indices, inner_sides(mesh, edges))),
         "mesh_triangles": triangles,
     }
     textures = {name: _upload(rows) for name, rows in sources.items()}
-    return Resident(mesh, edges, textures, sum(rows.nbytes for rows in sources.values()))
+    nbytes = sum(rows.nbytes for rows in sources.values())
+    counts = {
+        "edges": len(edges.indices), "sides": len(sources["mesh_edges"]),
+        "triangles": len(triangles),
+    }  # fmt: skip
+    return Resident(mesh, edges, counts, textures, nbytes)
 
 
 class Posed:

@@ -24,7 +24,7 @@ import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any, ClassVar, Literal, Protocol
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,9 @@ from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.geometry.lines import Choice
 from glshim.styling.pictures import Image, read_image
+
+if TYPE_CHECKING:
+    from glshim.styling.passes import Pass
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
@@ -283,7 +286,7 @@ class Styler:
         return "app"
 
     @abstractmethod
-    def draws(self, layer: Layer) -> Iterable[Draw]:
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""
         raise NotImplementedError
 
