@@ -14,34 +14,33 @@ from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
-from glshim.styling.passes import Body, MeshShader, Pass, State, Stencil, bodies
+from glshim.styling.passes import Actions, Body, MeshShader, Pass, State, Stencil, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
 
 Light = tuple[float, float, float, float]
 _HERE = files(__package__)
 _VOLUME = (_HERE / "volume.glsl").read_text("utf-8")
-_SHADE = (_HERE / "shade.frag.glsl").read_text("utf-8")
 _LIT = 255
 """The stencil of what no volume holds: what it begins with. Counts wrap round it."""
 
 
-def _shader(name: str) -> MeshShader:
-    text = (_HERE / f"{name}.vert.glsl").read_text("utf-8")
-    return MeshShader(f"shadow {name}", _VOLUME + text, _SHADE)
+def _shader(name: str, fragment: str) -> MeshShader:
+    texts = ((_HERE / file).read_text("utf-8") for file in (f"{name}.vert.glsl", fragment))
+    vertex, fragment = texts
+    return MeshShader(f"shadow {name}", _VOLUME + vertex, fragment)
 
 
-SIDES, CAPS, SURFACES, SHADE = (_shader(name) for name in ("sides", "caps", "surfaces", "shade"))
+SIDES, SHADE = (_shader(name, "shade.frag.glsl") for name in ("sides", "shade"))
+CAPS, SURFACES = (_shader(name, "surface.frag.glsl") for name in ("caps", "surfaces"))
 
 _COUNT = Stencil(front=("keep", "decrease", "keep"), back=("keep", "increase", "keep"))
-_SIDES = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT)
-# The slope of a pixel: fixed function and shader may differ in where in it depth is taken.
-_CAPS = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT, offset=(1.0, 0.0))
-_ACQUIT = State(
-    writes_colour=False,
-    stencil=Stencil(reference=_LIT, front=("keep", "keep", "replace"),
-                    back=("keep", "keep", "replace")),
-    offset=(-0.05, 0.0),
-)  # fmt: skip
+_VOLUME_STATE = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT)
+_FARTHER: dict[str, Uniform] = {"push": 1.0, "slack": 1.0}
+_NEARER: dict[str, Uniform] = {"push": -1.0, "slack": 0.25}
+"""A lit surface lies before its own cap, by a pixel's slope: drivers cut bent quads along either
+diagonal. What is acquitted must not reach through an edge to the other side of it: less there."""
+_REPLACE: Actions = ("keep", "keep", "replace")
+_ACQUIT = State(writes_colour=False, stencil=Stencil("always", _LIT, _REPLACE, _REPLACE))
 # At the far plane: what lies on it is the background.
 _SHADED = State(depth="greater", blend="off", stencil=Stencil("notequal", _LIT))
 
@@ -94,10 +93,11 @@ class Shadow(Styler):
         for casting in [found] if self.self_shadows else [(body,) for body in found]:
             yield from _volumes(casting, light)
             if self.turned_away == "app":
-                yield Pass(SURFACES, found, "triangles", state=_ACQUIT, uniforms={"every": 0},
-                           light=light)  # fmt: skip
+                yield Pass(SURFACES, found, "triangles", state=_ACQUIT, light=light,
+                           uniforms={"every": 0, **_NEARER})  # fmt: skip
             if not self.self_shadows:
-                yield Pass(SURFACES, casting, "triangles", state=_ACQUIT, uniforms={"every": 1})
+                yield Pass(SURFACES, casting, "triangles", state=_ACQUIT, light=light,
+                           uniforms={"every": 1, **_NEARER})  # fmt: skip
             shade = (*(self.darkness * channel for channel in self.tint), self.darkness)
             yield Pass(SHADE, _windows(found), "screen", state=_SHADED, uniforms={"shade": shade})
 
@@ -119,11 +119,11 @@ def _volumes(casting: tuple[Body, ...], light: Light) -> Iterator[Pass]:
         alike.setdefault((body.camera.mirrored, caps), []).append(body)
     clears = True
     for (mirrored, caps), some in alike.items():
-        uniforms: dict[str, Uniform] = {"mirrored": int(mirrored)}
+        uniforms: dict[str, Uniform] = {"mirrored": int(mirrored), **_FARTHER}
         yield Pass(SIDES, tuple(some), "sides", "quads", 2, light=light, uniforms=uniforms,
-                   state=replace(_SIDES, clears_stencil=clears))  # fmt: skip
+                   state=replace(_VOLUME_STATE, clears_stencil=clears))  # fmt: skip
         yield Pass(CAPS, tuple(some), "triangles", "triangles", caps, light=light,
-                   uniforms=uniforms, state=_CAPS)  # fmt: skip
+                   uniforms=uniforms, state=_VOLUME_STATE)  # fmt: skip
         clears = False
 
 

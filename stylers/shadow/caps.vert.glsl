@@ -11,11 +11,5 @@ void main() {
     bool far = corner() > 2;
     int k = corner() % 3;
     if ((lit == far) != mirrored && k > 0) k = 3 - k;
-    if (far) {
-        gl_Position = driven(p[k]);
-        return;
-    }
-    // A lit surface lies before its own cap, whatever the last bits of its depth are.
-    gl_Position = clip(p[k]);
-    gl_Position.z += 2.0 * hair * deeper() * gl_Position.w;
+    gl_Position = far ? driven(p[k]) : clip(p[k]);
 }

@@ -10,5 +10,4 @@ void main() {
     bool same = before(t.xyz, p[0], p[1], p[2], light) == before(t.xyz, p[0], p[1], p[2], eye);
     if (same && !every) return;
     gl_Position = clip(p[corner()]);
-    gl_Position.z -= 2.0 * hair * deeper() * gl_Position.w;
 }
