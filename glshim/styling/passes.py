@@ -29,7 +29,7 @@ VERTICES: Mapping[Primitive, int] = {"lines": 2, "triangles": 3, "quads": 4}
 """Vertices of one primitive."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Body:
     """Batches that share a camera, and so an object space: one mesh is recovered from them."""
 
@@ -77,7 +77,7 @@ class State:
     """Set all of the stencil to 255 first."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class Pass:
     """One shader over the elements of bodies."""
 
