@@ -36,7 +36,7 @@ CAPS, SURFACES = (_shader(name, "surface.frag.glsl") for name in ("caps", "surfa
 _COUNT = Stencil(front=("keep", "decrease", "keep"), back=("keep", "increase", "keep"))
 _VOLUME_STATE = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT)
 _FARTHER: dict[str, Uniform] = {"push": 1.0, "slack": 1.0}
-_NEARER: dict[str, Uniform] = {"push": -1.0, "slack": 0.25}
+_NEARER: dict[str, Uniform] = {"push": -1.0, "slack": 0.05}
 """A lit surface lies before its own cap, by a pixel's slope: drivers cut bent quads along either
 diagonal. What is acquitted must not reach through an edge to the other side of it: less there."""
 _REPLACE: Actions = ("keep", "keep", "replace")
