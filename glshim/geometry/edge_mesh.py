@@ -47,16 +47,30 @@ def edge_mesh(mesh: Mesh, marked: NDArray[np.bool_] | None = None) -> EdgeMesh:
     normals = mesh.normals
     bent = np.linalg.norm(np.cross(normals[a], normals[np.where(b < 0, a, b)]), axis=1) > _FLAT
     rows = np.flatnonzero(mesh.true | bent).astype(np.int32)
-    indices = np.empty((len(rows), 4), np.int32)
-    indices[:, :2] = mesh.edges[rows]
-    indices[:, 2:] = mesh.opposite[rows]
+    indices = _indices(mesh, rows)
     if marked is not None:
         some = marked[rows] & (b[rows] >= 0)
         indices[some, 3] = indices[some, 1]
-    inner, open_ = ~mesh.true[rows], ~mesh.closed[a[rows]]
+    return EdgeMesh(indices, rows)
+
+
+def inner_sides(mesh: Mesh, edges: EdgeMesh) -> Ints:
+    """(S, 4) the edges that an edge mesh leaves out, in its form. With them each side of each
+    triangle is in one row, as whoever builds volumes of single triangles needs it."""
+    out = np.ones(len(mesh.edges), np.bool_)
+    out[edges.rows] = False
+    return _indices(mesh, np.flatnonzero(out))
+
+
+def _indices(mesh: Mesh, rows: NDArray[np.integer]) -> Ints:
+    """(E, 4) edges of a mesh, none of them marked, as `EdgeMesh.indices`."""
+    indices = np.empty((len(rows), 4), np.int32)
+    indices[:, :2] = mesh.edges[rows]
+    indices[:, 2:] = mesh.opposite[rows]
+    inner, open_ = ~mesh.true[rows], ~mesh.closed[mesh.faces[rows, 0]]
     indices[inner, 2] = ~indices[inner, 2]
     indices[open_, 0] = ~indices[open_, 0]
-    return EdgeMesh(indices, rows)
+    return indices
 
 
 def features(

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
-from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
+from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh, inner_sides
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.outward import outward
 from glshim.geometry.poses import Keyframes, Pose
@@ -37,6 +37,8 @@ class Resident:
 
     mesh: Mesh
     edges: EdgeMesh
+    counts: dict[str, int]
+    """Rows of each kind of element (`glshim.styling.passes.Element`)."""
     textures: dict[str, int]
     nbytes: int
     sieved: Sieved
@@ -126,12 +128,16 @@ def _resident(mesh: Mesh) -> Resident:
     sources: dict[str, NDArray[np.generic]] = {
         "mesh_positions": _four(mesh.positions),
         "mesh_normals": _shorts(_outwards(mesh)),
-        "mesh_edges": edges.indices,
+        "mesh_edges": np.concatenate((edges.indices, inner_sides(mesh, edges))),
         "mesh_triangles": triangles,
     }
     textures = {name: upload(rows) for name, rows in sources.items()}
     nbytes = sum(rows.nbytes for rows in sources.values())
-    return Resident(mesh, edges, textures, nbytes, Sieved(mesh, edges))
+    counts = {
+        "edges": len(edges.indices), "sides": len(sources["mesh_edges"]),
+        "triangles": len(triangles),
+    }  # fmt: skip
+    return Resident(mesh, edges, counts, textures, nbytes, Sieved(mesh, edges))
 
 
 def _outwards(mesh: Mesh) -> NDArray[np.float64]:

@@ -86,6 +86,7 @@ class Runner:
         for one in passes:
             if one.image is not None:
                 textures.bind(one.image)
+            gl.glScissor(*box)  # what a pass clears
             _set(one.state, greater)
             for body in one.bodies:
                 camera = body.camera.affine()
@@ -164,8 +165,8 @@ class Runner:
         count, each = 1, 3
         if one.element != "screen":
             resident = self.residents.find(body.batches)
-            rows = resident.edges.indices if one.element == "edges" else resident.mesh.triangles
-            count, each = len(rows), VERTICES[one.primitive] * one.primitives
+            count = resident.counts[one.element]
+            each = VERTICES[one.primitive] * one.primitives
         posed = None
         if one.pose is not None and resident is not None:
             if _size_of(one.pose) != len(resident.mesh.positions):

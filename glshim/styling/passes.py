@@ -18,7 +18,9 @@ from glshim.styling.protocol import Layer, Uniform
 
 Comparison = Literal["always", "never", "less", "lequal", "equal", "notequal", "gequal", "greater"]
 Action = Literal["keep", "replace", "increase", "decrease", "zero"]
-Element = Literal["edges", "triangles", "screen"]
+Element = Literal["edges", "sides", "triangles", "screen"]
+"""What a shader runs over. Sides: the edges, and those left out of the edge mesh because they lie
+inside flat polygons, so that every side of every triangle is in one row."""
 Primitive = Literal["lines", "quads", "triangles"]
 Actions = tuple[Action, Action, Action]
 """What happens to the stencil where its test fails, where depth fails, and where both pass."""
@@ -97,7 +99,7 @@ class Pass:
     element: Element
     primitive: Primitive = "triangles"
     primitives: int = 1
-    """Primitives for each edge or triangle: the shader sees ``element()`` and ``corner()``."""
+    """Primitives for each element: the shader sees ``element()`` and ``corner()``."""
     copies: int = 1
     """How often everything is drawn; the shader sees ``gl_InstanceID``."""
     state: State = State()

@@ -12,6 +12,7 @@ from PIL import Image
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.styling import registry
+from glshim.styling.passes import Pass
 from glshim.styling.protocol import Draw, Layer, Styler, options_of
 from stylers.strokes import MADE
 from tests import look
@@ -56,7 +57,7 @@ def test_draws_are_pure_and_plain(styler):
     assert first == second
     assert all((b.positions == c).all() for (b, _), c in zip(one.items, before, strict=True))
     for draw in first:
-        assert isinstance(draw, Draw)
+        assert isinstance(draw, (Draw, Pass))
         for value in draw.uniforms.values():
             assert np.isfinite(np.asarray(value, float)).all()
     assert styler().surface in ("app", "none") or len(styler().surface) == 3

@@ -1,0 +1,134 @@
+"""Style ``shadow``: shadow volumes for programs that have none.
+
+M. McGuire, J. F. Hughes, "Hardware-Determined Feature Edges", NPAR 2004, section 7 and figure 1c:
+contours as the light sees them, driven to infinity on the GPU. The stencil
+counts the volumes that a surface lies in, from infinity (depth-fail; C. Everitt, M. J. Kilgard
+2002), so that the viewer may stand in a shadow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from importlib.resources import files
+from math import cos, radians, sin
+from typing import ClassVar
+
+from glshim.styling.passes import Actions, Body, MeshShader, Pass, State, Stencil, bodies
+from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+
+Light = tuple[float, float, float, float]
+_HERE = files(__package__)
+_VOLUME = (_HERE / "volume.glsl").read_text("utf-8")
+_LIT = 255
+"""The stencil of what no volume holds: what it begins with. Counts wrap round it."""
+
+
+def _shader(name: str, fragment: str) -> MeshShader:
+    texts = ((_HERE / file).read_text("utf-8") for file in (f"{name}.vert.glsl", fragment))
+    vertex, fragment = texts
+    return MeshShader(f"shadow {name}", _VOLUME + vertex, fragment)
+
+
+SIDES, SHADE = (_shader(name, "shade.frag.glsl") for name in ("sides", "shade"))
+CAPS, SURFACES = (_shader(name, "surface.frag.glsl") for name in ("caps", "surfaces"))
+
+_COUNT = Stencil(front=("keep", "decrease", "keep"), back=("keep", "increase", "keep"))
+_VOLUME_STATE = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT)
+_FARTHER: dict[str, Uniform] = {"push": 1.0, "slack": 1.0}
+_NEARER: dict[str, Uniform] = {"push": -1.0, "slack": 0.05}
+"""A lit surface lies before its own cap, by a pixel's slope: drivers cut bent quads along either
+diagonal. What is acquitted must not reach through an edge to the other side of it: less there."""
+_REPLACE: Actions = ("keep", "keep", "replace")
+_ACQUIT = State(writes_colour=False, stencil=Stencil("always", _LIT, _REPLACE, _REPLACE))
+# At the far plane: what lies on it is the background.
+_SHADED = State(depth="greater", blend="off", stencil=Stencil("notequal", _LIT))
+
+
+@dataclass(frozen=True)
+class Shadow(Styler):
+    """Shadows that the program's polygons cast in the light of its GL_LIGHT0."""
+
+    name: ClassVar[str] = "shadow"
+
+    darkness: float = option(0.5, help="share of the tint in shadows", low=0.0, high=1.0)
+    tint: Colour = option("#000000", help="colour of shadows")  # noqa: RUF009
+    light: str = option(
+        "app",
+        help="where it comes from: the program's GL_LIGHT0 (where that shines from the viewer, as "
+        "by default, no shadow is seen), or fixed, by azimuth and elevation",
+        choices=("app", "fixed"),
+    )
+    azimuth: float = option(
+        35.0, help="of a fixed light, from the viewer's back to the right",
+        low=-180.0, high=180.0, unit="degrees",
+    )  # fmt: skip
+    elevation: float = option(
+        50.0, help="of a fixed light, over the viewer's horizon",
+        low=-90.0, high=90.0, unit="degrees",
+    )  # fmt: skip
+    self_shadows: bool = option(
+        True, help="off: what is drawn under one modelview matrix casts no shadow on itself"
+    )
+    turned_away: str = option(
+        "app",
+        help="faces that the light does not reach since they look away from it: as the app shaded "
+        "them, which hides the steps of coarse meshes, or in shadow",
+        choices=("app", "shadow"),
+    )
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
+
+    def draws(self, layer: Layer) -> Iterable[Pass]:
+        """Volumes into the stencil, then the shade; where bodies do not shadow themselves, for
+        each in turn."""
+        found, light = bodies(layer), self._light(layer)
+        for casting in [found] if self.self_shadows else [(body,) for body in found]:
+            yield from _volumes(casting, light)
+            if self.turned_away == "app":
+                yield Pass(SURFACES, found, "triangles", state=_ACQUIT, light=light,
+                           uniforms={"every": 0, **_NEARER})  # fmt: skip
+            if not self.self_shadows:
+                yield Pass(SURFACES, casting, "triangles", state=_ACQUIT, light=light,
+                           uniforms={"every": 1, **_NEARER})  # fmt: skip
+            shade = (*(self.darkness * channel for channel in self.tint), self.darkness)
+            yield Pass(SHADE, _windows(found), "screen", state=_SHADED, uniforms={"shade": shade})
+
+    def _light(self, layer: Layer) -> Light:
+        """In eye space, homogeneous, w not negative: a direction leads towards it."""
+        if self.light == "app":
+            x, y, z, w = layer.light
+            return (x, y, z, w) if w >= 0.0 else (-x, -y, -z, -w)
+        turn, lift = radians(self.azimuth), radians(self.elevation)
+        return cos(lift) * sin(turn), sin(lift), cos(lift) * cos(turn), 0.0
+
+
+def _volumes(casting: tuple[Body, ...], light: Light) -> Iterator[Pass]:
+    """Count, for each pixel, the volumes that its surface lies in, from nothing."""
+    alike: dict[tuple[bool, int], list[Body]] = {}
+    for body in casting:
+        # Rays that are parallel meet at infinity in a point, which needs no cap.
+        caps = 1 if light[3] == 0.0 and not body.camera.affine().orthographic else 2
+        alike.setdefault((body.camera.mirrored, caps), []).append(body)
+    clears = True
+    for (mirrored, caps), some in alike.items():
+        uniforms: dict[str, Uniform] = {"mirrored": int(mirrored), **_FARTHER}
+        yield Pass(SIDES, tuple(some), "sides", "quads", 2, light=light, uniforms=uniforms,
+                   state=replace(_VOLUME_STATE, clears_stencil=clears))  # fmt: skip
+        yield Pass(CAPS, tuple(some), "triangles", "triangles", caps, light=light,
+                   uniforms=uniforms, state=_VOLUME_STATE)  # fmt: skip
+        clears = False
+
+
+def _windows(found: tuple[Body, ...]) -> tuple[Body, ...]:
+    """A body for each part of the window that any is seen in."""
+    cameras = ((body, body.camera) for body in found)
+    parts = {(c.viewport, c.depth_range, c.scissor): body for body, c in cameras}
+    return tuple(parts.values())

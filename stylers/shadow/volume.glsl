@@ -1,0 +1,31 @@
+// Of all vertex shaders of the style: which triangles have the light before them, and the way to
+// infinity.
+
+uniform bool mirrored;   // the camera turns windings round
+uniform vec2 range;      // window depth of the near and the far plane
+
+// A direction of clip space that leads away from the viewer.
+float deeper() { return away * sign(range.y - range.x); }
+
+// Whether a triangle has a source (the light or the eye) before it. Caps and sides must not
+// disagree, not even about a triangle that a ray only grazes: so the corners are taken in the order
+// of their numbers, whoever asks.
+bool before(ivec3 v, vec3 a, vec3 b, vec3 c, vec4 source) {
+    bool odd = false;
+    if (v.x > v.y) { v = v.yxz; vec3 t = a; a = b; b = t; odd = !odd; }
+    if (v.y > v.z) { v = v.xzy; vec3 t = b; b = c; c = t; odd = !odd; }
+    if (v.x > v.y) { vec3 t = a; a = b; b = t; odd = !odd; }
+    return (dot(cross(b - a, c - a), towards(source, a)) > 0.0) != odd;
+}
+
+// Where a place goes, in clip space, when the light drives it to infinity. Under a parallel
+// projection infinity has no image: there it goes a thousand windows far.
+vec4 driven(vec3 place) {
+    vec4 way = projection * (modelview * vec4(-towards(light, place), 0.0));
+    bool parallel = vec3(projection[0].w, projection[1].w, projection[2].w) == vec3(0.0);
+    if (!parallel) return way;
+    vec4 here = clip(place);
+    vec3 size = abs(here.xyz), speed = abs(way.xyz);
+    float far = 1000.0 * (here.w + max(size.x, max(size.y, size.z)));
+    return here + way * (far / max(max(speed.x, max(speed.y, speed.z)), 1e-30));
+}
