@@ -29,7 +29,7 @@ class Pipeline:
     def __init__(self, styler: Styler) -> None:
         self.styler = styler
         self._surface = Surface(styler.surface)
-        self._follower = Follower(self)
+        self._follower = Follower(self, colours=styler.wants_colours)
         self._broken = False
 
     # -- life ------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,7 +32,20 @@ class PolygonBatch:
     """Equal keys mean equal content (a display list, an unchanged buffer): caches may hold on
     to what they derived. None: seen once, stream it."""
 
+    regions: NDArray[np.uint32] | None = None
+    """(P,) a number for the colour that all corners of a polygon were given, 0 where they differ or
+    nothing is known; None: not asked for (`glshim.styling.protocol.Styler.wants_colours`)."""
+
     @property
     def polygon_count(self) -> int:
         """Number of polygons."""
         return len(self.starts) - 1
+
+
+def regions_of(parts: Sequence[PolygonBatch]) -> NDArray[np.uint32] | None:
+    """(P,) the regions of several batches as one, None where none is known."""
+    if all(p.regions is None for p in parts):
+        return None
+    return np.concatenate(
+        [np.zeros(p.polygon_count, np.uint32) if p.regions is None else p.regions for p in parts]
+    )

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..spec.attributes import EDGE_FLAG, KIND, SIZE, VERTEX, decode
-from .batch import PolygonBatch
+from ..spec.attributes import COLOR, EDGE_FLAG, KIND, SIZE, VERTEX, decode
+from .batch import PolygonBatch, regions_of
 
 TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = range(4, 10)
 POLYGON_MODES = frozenset(range(4, 10))
@@ -34,6 +35,33 @@ def vertices(stream: bytes) -> tuple[NDArray[np.float32], NDArray[np.bool_] | No
         return positions, None
     given = np.concatenate([[True], values[flag_rows, 0] != 0])
     return positions, given[np.searchsorted(flag_rows, rows)]
+
+
+def colours(stream: bytes) -> NDArray[np.uint32]:
+    """(V,) a number for the colour of each vertex, 0 before the first."""
+    tags, values = decode(stream)
+    kinds = KIND[tags]
+    given = np.flatnonzero(kinds == COLOR)
+    shades = values[given] + np.float32(0.0)
+    shades[SIZE[tags[given]] == 3, 3] = 1.0
+    mixed = np.zeros(len(given), np.uint32)
+    for channel in np.ascontiguousarray(shades.T).view(np.uint32):
+        mixed = (mixed ^ channel) * np.uint32(0x9E3779B1)
+        mixed ^= mixed >> np.uint32(15)
+    numbers = np.concatenate(([0], np.maximum(mixed, 1))).astype(np.uint32)
+    return numbers[np.searchsorted(given, np.flatnonzero(kinds == VERTEX))]
+
+
+def _regions(
+    shades: NDArray[np.uint32], corners: NDArray[np.int32], starts: NDArray[np.int32]
+) -> NDArray[np.uint32] | None:
+    """(P,) colours of polygons, of vertices (V,); None where none has any."""
+    if not shades.any() or len(starts) < 2:
+        return None
+    own = shades[corners]
+    first = own[starts[:-1]]
+    same = np.logical_and.reduceat(own == np.repeat(first, np.diff(starts)), starts[:-1])
+    return np.where(same, first, 0).astype(np.uint32)
 
 
 def polygon_corners(mode: int, count: int) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
@@ -88,7 +116,9 @@ def assemble(mode: int, stream: bytes, key: Hashable | None = None) -> PolygonBa
         boundary = np.ones(len(corners), np.bool_)
     else:
         boundary = flags[corners]
-    return PolygonBatch(positions, corners, starts, boundary, key)
+    return PolygonBatch(
+        positions, corners, starts, boundary, key, _regions(colours(stream), corners, starts)
+    )
 
 
 def assemble_many(primitives: Sequence[tuple[int, bytes]]) -> PolygonBatch:
@@ -122,7 +152,8 @@ def _assemble_alike(mode: int, streams: list[bytes]) -> PolygonBatch:
     index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]
     corners = np.ascontiguousarray(index).reshape(-1)
     starts = np.arange(0, len(corners) + 1, sides, dtype=np.int32)
-    return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_))
+    regions = _regions(colours(joined), corners, starts)
+    return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_), None, regions)
 
 
 def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> PolygonBatch:
@@ -145,20 +176,21 @@ def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> P
         np.concatenate([*starts, total]).astype(np.int32, copy=False),
         np.concatenate([p.boundary for p in parts]),
         key,
+        regions_of(parts),
     )
 
 
 def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatch:
     """The batch moved by an affine (4, 4) matrix; a mirroring one turns the windings round."""
     positions = (batch.positions @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
-    moved = PolygonBatch(positions, batch.corners, batch.starts, batch.boundary, None)
+    moved = replace(batch, positions=positions, key=None)
     return reversed_winding(moved) if np.linalg.det(matrix[:3, :3]) < 0 else moved
 
 
 def scaled(batch: PolygonBatch, factor: float, key: Hashable | None) -> PolygonBatch:
     """The batch, so many times larger."""
     positions = batch.positions * np.float32(factor)
-    return PolygonBatch(positions, batch.corners, batch.starts, batch.boundary, key)
+    return replace(batch, positions=positions, key=key)
 
 
 def reversed_winding(batch: PolygonBatch) -> PolygonBatch:
@@ -169,6 +201,4 @@ def reversed_winding(batch: PolygonBatch) -> PolygonBatch:
     order = first + (last - np.arange(count))
     # Side c runs from corner c to the next one: reversed, it leaves from that next corner.
     side = np.where(order == first, last, order - 1)
-    return PolygonBatch(
-        batch.positions, batch.corners[order], batch.starts, batch.boundary[side], batch.key
-    )
+    return replace(batch, corners=batch.corners[order], boundary=batch.boundary[side])

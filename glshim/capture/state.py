@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry.camera import Camera
+from ..spec.attributes import BY_NAME
 from ..spec.context import shortcoming
 from ..spec.driver import current_context, gl, quick
 
@@ -44,6 +45,8 @@ _COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)
 
 _CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
 _LIGHT_0, _POSITION = 0x4000, 0x1203
+_LIGHTING, _COLOR_MATERIAL, _CURRENT_COLOR = 0x0B50, 0x0B57, 0x0B00
+_FRONT, _DIFFUSE = 0x0404, 0x1201
 _LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
@@ -210,6 +213,18 @@ def light() -> tuple[float, float, float, float]:
     place = (ctypes.c_float * 4)()
     gl.glGetLightfv(_LIGHT_0, _POSITION, ctypes.addressof(place))
     return place[0], place[1], place[2], place[3]
+
+
+def colour() -> bytes:
+    """The record of a glColor4f with the colour that vertices have until they are given another:
+    the material's where lighting knows no other. Outside glBegin/glEnd."""
+    shade = (ctypes.c_float * 4)()
+    if gl.glIsEnabled(_LIGHTING) and not gl.glIsEnabled(_COLOR_MATERIAL):
+        gl.glGetMaterialfv(_FRONT, _DIFFUSE, ctypes.addressof(shade))
+    else:
+        gl.glGetFloatv(_CURRENT_COLOR, ctypes.addressof(shade))
+    row = BY_NAME["glColor4f"]
+    return row.pack.pack(*shade, row.tag)
 
 
 def unsupported() -> str:

@@ -15,7 +15,7 @@ from ..assembly.rectangles import rectangle
 from ..capture import forward
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState
+from ..capture.state import DrawState, colour
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
@@ -69,8 +69,10 @@ def contained(method: F) -> F:
 class Follower:
     """A `capture.watch.Watcher` and `capture.clibraries.ShapeWatcher`."""
 
-    def __init__(self, studio: Studio) -> None:
+    def __init__(self, studio: Studio, *, colours: bool = False) -> None:
+        """colours: primitives begin with the colour that they have until they say another."""
         self.studio = studio
+        self._colours, self._colour = colours, b""
         self._scenes = Scenes()
         self._now: Scene | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
@@ -89,6 +91,7 @@ class Follower:
         self._open(mode in POLYGON_MODES, self._now)
         if self._now is not None and self._now.needs_list_base:
             self._now.read_list_base()
+        self._colour = colour() if self._colours and self._now is not None else b""
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -100,6 +103,8 @@ class Follower:
         if self._elements:
             stream = self._with_elements(scene, stream)
         again = self._rerun(mode, stream) if self._reruns else None
+        if again is None:
+            stream = self._colour + stream
         scene.compile(Shape(None, again) if again else Primitive(mode, stream))
         if state is not None and again:
             scene.add_shape(state, Shape(None, again))

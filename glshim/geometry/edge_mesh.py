@@ -40,17 +40,15 @@ class EdgeMesh:
         return self.indices.nbytes
 
 
-def edge_mesh(mesh: Mesh, marked: NDArray[np.bool_] | None = None) -> EdgeMesh:
-    """The edge mesh of a mesh: all true edges, and those inside of polygons that are not flat.
-    marked (edges of the mesh,): to be drawn whatever they are."""
+def edge_mesh(mesh: Mesh) -> EdgeMesh:
+    """The edge mesh of a mesh: all true edges, and those inside of polygons that are not flat."""
     a, b = mesh.faces.T
     normals = mesh.normals
     bent = np.linalg.norm(np.cross(normals[a], normals[np.where(b < 0, a, b)]), axis=1) > _FLAT
     rows = np.flatnonzero(mesh.true | bent).astype(np.int32)
     indices = _indices(mesh, rows)
-    if marked is not None:
-        some = marked[rows] & (b[rows] >= 0)
-        indices[some, 3] = indices[some, 1]
+    marked = mesh.marked[rows]
+    indices[marked, 3] = indices[marked, 1]
     return EdgeMesh(indices, rows)
 
 

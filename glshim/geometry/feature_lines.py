@@ -69,9 +69,9 @@ class Features:
 class EdgeLines:
     """What of a mesh's edges does not depend on the viewer."""
 
-    def __init__(self, mesh: Mesh, marked: Flags | None = None) -> None:
+    def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self.edges: EdgeMesh = edge_mesh(mesh, marked)
+        self.edges: EdgeMesh = edge_mesh(mesh)
         rows = self.edges.rows
         self.a, b = mesh.faces[rows].T.astype(np.intp)
         self.open = b < 0

@@ -93,6 +93,17 @@ class Mesh:
     """(T,) wound against the app's winding, for the majority of the neighbours' sake."""
     twisted: Flags
     """(E,) A and B both wind v0 to v1: no winding suits the component (a Moebius strip)."""
+    regions: NDArray[np.uint32] | None = None
+    """(T,) the colour of each triangle by number, 0 where it is not known (`PolygonBatch`)."""
+
+    @property
+    def marked(self) -> Flags:
+        """(E,) two triangles of known and different colours meet."""
+        if self.regions is None:
+            return np.zeros(len(self.edges), np.bool_)
+        a, b = self.faces.T
+        one, other = self.regions[a], self.regions[b]
+        return np.asarray((b >= 0) & (one != other) & (one > 0) & (other > 0))
 
     @cached_property
     def _area_vectors(self) -> Doubles:
@@ -234,6 +245,7 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
         sides = meet(triangles, len(positions))
     found = adjacency(triangles, true, sides)
     return Mesh(
+        regions=None if batch.regions is None else batch.regions[polygon],
         positions=positions,
         weld=vertex,
         first=first,

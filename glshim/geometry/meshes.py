@@ -71,4 +71,6 @@ def _structure(batch: PolygonBatch) -> Hashable:
     digest = sha256()
     for part in (batch.corners, batch.starts, batch.boundary):
         digest.update(np.ascontiguousarray(part).data)
+    if batch.regions is not None:
+        digest.update(np.ascontiguousarray(batch.regions).data)
     return len(batch.positions), len(batch.corners), digest.digest()

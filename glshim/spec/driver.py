@@ -26,7 +26,7 @@ SIGNATURES: dict[str, str] = {
     "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
     "glGetStringi": "uu>p",
     "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
-    "glGetLightfv": "uup",
+    "glGetLightfv": "uup", "glGetMaterialfv": "uup",
     "glGetVertexAttribiv": "uup", "glGetMapiv": "uup", "glGetMapfv": "uup",
     # immediate mode
     "glBegin": "u", "glEnd": "",

@@ -283,6 +283,11 @@ class Styler:
     """False: nothing is assembled and `draws` is never called."""
 
     @property
+    def wants_colours(self) -> bool:
+        """Whether `PolygonBatch.regions` shall say which polygons have the same colour."""
+        return False
+
+    @property
     def surface(self) -> str | Colour:
         """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour."""
         return "app"

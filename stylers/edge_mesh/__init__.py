@@ -12,7 +12,7 @@ from typing import Any, ClassVar, cast
 
 from glshim.geometry.chains import Pattern
 from glshim.geometry.feature_lines import Features
-from glshim.geometry.lines import BOUNDARY, GROUPS, SUGGESTIVE
+from glshim.geometry.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
 from glshim.geometry.raskar import INWARD
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
@@ -46,14 +46,17 @@ class EdgeMesh(Styler):
     contours: bool = option(True, help="ink where the surface turns away from the viewer")
     ridges: bool = option(True, help="ink where the dihedral angle is less than ridge_angle")
     valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
+    marked: bool = option(False, help="ink where polygons of different colours meet")
     boundary: bool = option(True, help="ink on edges that have one polygon only")
     contour_width: float = _width("contours, outside the object")
     ridge_width: float = _width("ridges")
     valley_width: float = _width("valleys")
+    marked_width: float = _width("marked edges")
     boundary_width: float = _width("boundary edges")
     contour_ink: Colour = _colour("contours")  # noqa: RUF009
     ridge_ink: Colour = _colour("ridges")  # noqa: RUF009
     valley_ink: Colour = _colour("valleys")  # noqa: RUF009
+    marked_ink: Colour = _colour("marked edges")  # noqa: RUF009
     boundary_ink: Colour = _colour("boundary edges")  # noqa: RUF009
     ridge_angle: float = option(
         120.0, help="a ridge has a lesser dihedral angle", low=0.0, high=360.0, unit="degrees"
@@ -113,6 +116,11 @@ class EdgeMesh(Styler):
     )  # fmt: skip
 
     @property
+    def wants_colours(self) -> bool:
+        """Marked edges part them."""
+        return self.marked
+
+    @property
     def surface(self) -> str | Colour:
         """The option `fill`."""
         return self.fill
@@ -134,6 +142,7 @@ class EdgeMesh(Styler):
             self.contours and not self.outer,
             radians(self.ridge_angle) if self.ridges else None,
             radians(self.valley_angle) if self.valleys else None,
+            marked=self.marked,
             boundary=self.boundary,
             smooth=self.smooth,
             suggestive=self.suggestive,
@@ -163,12 +172,13 @@ class EdgeMesh(Styler):
         return PaperLook(
             strokes=cast(Any, self.strokes),
             caps=cast(Any, self.caps),
-            drawn=(self.contours, self.ridges, self.valleys, False, self.boundary),
+            drawn=(self.contours, self.ridges, self.valleys, self.marked, self.boundary),
             widths=(
-                self.contour_width, self.ridge_width, self.valley_width, 1.0, self.boundary_width,
+                self.contour_width, self.ridge_width, self.valley_width, self.marked_width,
+                self.boundary_width,
             ),
             inks=(
-                self.contour_ink, self.ridge_ink, self.valley_ink, self.ridge_ink,
+                self.contour_ink, self.ridge_ink, self.valley_ink, self.marked_ink,
                 self.boundary_ink,
             ),
             ridge_angle=self.ridge_angle,
@@ -190,6 +200,7 @@ class EdgeMesh(Styler):
         found = GROUPS * [self.ridge_width]
         found[_SILHOUETTES], found[_VALLEYS] = self.contour_width, self.valley_width
         found[BOUNDARY], found[SUGGESTIVE] = self.boundary_width, self.suggestive_width
+        found[MARKED] = self.marked_width
         return tuple(found)
 
     @property
@@ -197,6 +208,7 @@ class EdgeMesh(Styler):
         found = GROUPS * [self.ridge_ink]
         found[_SILHOUETTES], found[_VALLEYS] = self.contour_ink, self.valley_ink
         found[BOUNDARY], found[SUGGESTIVE] = self.boundary_ink, self.suggestive_ink
+        found[MARKED] = self.marked_ink
         return tuple(found)
 
     def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
