@@ -1,4 +1,4 @@
-"""Style ``none`` and style ``raskar`` leave to the app what plain PyOpenGL gives it."""
+"""Style ``none`` and styles that draw leave to the app what plain PyOpenGL gives it."""
 
 from __future__ import annotations
 
@@ -23,6 +23,13 @@ def test_none_is_plain_to_the_byte(name: str) -> None:
     assert plain(name).differences(run(SCENES[name], "none")) == {}
 
 
+STYLES = (
+    "raskar", "edge_mesh:marked=on,smooth=on,suggestive=on,texture=pen,hidden=dashed",
+    "edge_mesh:strokes=half,outer=on,hidden=dimmed", "shadow:light=fixed", "fur:layers=2",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("style", STYLES, ids=lambda style: style.partition(",")[0])
 @pytest.mark.parametrize("name", SCENES)
-def test_raskar_changes_nothing_but_the_picture(name: str) -> None:
-    assert plain(name).differences(run(SCENES[name], "raskar"), pictures=False) == {}
+def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
+    assert plain(name).differences(run(SCENES[name], style), pictures=False) == {}
