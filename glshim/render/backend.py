@@ -203,7 +203,9 @@ class _Run:
 
 def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
     found: list[_Run] = []
-    for _, alike in groupby(draws, key=type):
+    for kind, alike in groupby(draws, key=type):
+        if not issubclass(kind, (Draw, Pass)):
+            raise TypeError(f"a styler draws with Draw and Pass, not with {kind.__name__}")
         run = list(alike)
         lines = grouped(one for one in run if isinstance(one, Draw))
         found.append(_Run(lines, [one for one in run if isinstance(one, Pass)]))

@@ -102,10 +102,9 @@ class Residents:
         self._passing.append(made)
         return made
 
-    def bind_rest(self, resident: Resident) -> None:
+    def bind_rest(self, mesh: Mesh) -> None:
         """Bind the vertices of a mesh as they were first seen (a mesh that moves keeps its array
         of triangles, `Mesh.moved`), and `outward`."""
-        mesh = resident.mesh
         rest = self._rests.get(id(mesh.triangles))
         if rest is None:
             rows = _four(mesh.positions)

@@ -192,7 +192,7 @@ class Runner:
         if resident is not None:
             resident.bind()
             if "rest(" in one.shader.vertex:
-                self.residents.bind_rest(resident)
+                self.residents.bind_rest(resident.mesh)
         if posed is not None:
             posed.bind()
         return _Ready(program, count, each, posed)

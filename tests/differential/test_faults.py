@@ -63,7 +63,7 @@ def _raises_later(layer: Layer) -> Any:
 
 def _bad_uniform(layer: Layer) -> Any:
     for draw in glshim.parse_style("raskar").draws(layer):
-        wrong: dict[str, Any] = {"ink": "black"}
+        wrong: dict[str, Any] = {"inks": "black"}
         yield Draw(draw.batch, draw.camera, draw.choice, draw.shader, wrong)
 
 

@@ -173,21 +173,13 @@ def test_hairs_keep_to_a_mesh_that_moves(backend):
     residents = Residents(Objects(1 << 24), 1 << 24)
     asked = []
     for one in (still, moved):
-        residents.bind_rest(dataclasses.replace(_resident(), mesh=one))
+        residents.bind_rest(one)
         rows = (ctypes.c_float * (2048 * 4))()
         GL.glGetTexImage(GL.GL_TEXTURE_2D, 0, GL.GL_RGBA, GL.GL_FLOAT, rows)
         asked.append(np.array(rows).reshape(-1, 4)[: len(still.positions)])
     GL.glActiveTexture(GL.GL_TEXTURE0)
     assert (asked[0] == asked[1]).all()
     assert (asked[0][:, :3] == still.positions).all()
-
-
-def _resident():
-    from glshim.geometry.edge_mesh import edge_mesh
-    from glshim.render.meshes import Resident
-
-    found = mesh(look.cube())
-    return Resident(found, edge_mesh(found), {}, 0)
 
 
 def test_an_animated_mesh_has_fur_in_each_frame(backend):

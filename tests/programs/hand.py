@@ -28,6 +28,12 @@ class Hand:
             self.x.XFree(children)
         return count.value
 
+    def let_go(self) -> None:
+        """Keys go to the window under the pointer: without a window manager nobody takes them back
+        from a window that is gone."""
+        self.x.XSetInputFocus(self.display, ctypes.c_ulong(1), 1, ctypes.c_ulong(0))
+        self.settle()
+
     def move(self, x: int, y: int) -> None:
         self.test.XTestFakeMotionEvent(self.display, -1, x, y, 0)
         self.settle()

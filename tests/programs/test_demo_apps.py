@@ -34,6 +34,7 @@ def hand(display: str) -> Hand:
 def start(program: Program, style: str | None, display: str, hand: Hand) -> "subprocess.Popen[str]":
     """Start it in real time and wait for its window."""
     command = launch(program)
+    hand.let_go()
     process = subprocess.Popen(
         [sys.executable, *command.command], cwd=HERE.parent.parent,
         env=environment(style, display, command), stderr=subprocess.PIPE, text=True)
