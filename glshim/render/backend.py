@@ -203,7 +203,7 @@ class _Run:
 
 def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
     found: list[_Run] = []
-    for _, alike in groupby(draws, key=type):
+    for _, alike in groupby(draws, key=lambda one: (type(one), getattr(one, "sheet", 0))):
         run = list(alike)
         lines = grouped(one for one in run if isinstance(one, Draw))
         found.append(_Run(lines, [one for one in run if isinstance(one, Pass)]))
