@@ -6,6 +6,14 @@
 
 const float BANDS = 2.2;  // in a ratio of 2
 
+const float WHITES = 4.0;
+
+// A value in steps of 1, each at its middle, smooth over a pixel.
+float stepped(float level) {
+    float blur = clamp(0.7 * fwidth(level), 0.02, 0.5);
+    return floor(level) + smoothstep(1.0 - blur, 1.0, fract(level)) + 0.5;
+}
+
 void main() {
     vec2 at = gl_FragCoord.xy;
     if (!surface(at)) {
@@ -15,11 +23,12 @@ void main() {
     }
     vec3 paint = shown(at);
     float value = max(max(paint.r, paint.g), paint.b);
-    float level = BANDS * log2(max(value, 0.04));
-    float blur = clamp(0.7 * fwidth(level), 0.02, 0.5);
-    float band = floor(level) + smoothstep(1.0 - blur, 1.0, fract(level)) + 0.5;
-    float flatly = exp2(band / BANDS);
+    float flatly = exp2(stepped(BANDS * log2(max(value, 0.04))) / BANDS);
     vec3 hue = paint / max(value, 1e-3);
-    hue = pow(hue, vec3(1.25));  // paint from a pot is purer
-    colour = vec4(clamp(hue * min(1.12 * flatly + 0.04, 1.0), 0.0, 1.0), 1.0);
+    // Highlights, which are whiter than the paint, are flat too.
+    float white = min(min(hue.r, hue.g), hue.b);
+    float flat_white = mix(stepped(WHITES * white) / WHITES, white, smoothstep(0.5, 0.7, white));
+    hue = 1.0 - (1.0 - hue) * (1.0 - flat_white) / max(1.0 - white, 0.05);
+    hue = pow(clamp(hue, 0.0, 1.0), vec3(1.12));  // paint from a pot is purer
+    colour = vec4(hue * min(1.06 * flatly + 0.03, 1.0), 1.0);
 }

@@ -9,14 +9,17 @@ void main() {
     if (!drawn && behind == 0) discard;
     float cover = 0.0;
     if (drawn) {
-        vec3 coarse = grain(at, 1.0);
-        float dark = 1.0 - smoothstep(0.0, 0.85, brightness(shown(at)));
-        // Rubbed along one way, unevenly.
-        float sweep = grain(vec2(0.8 * at.x + 0.6 * at.y, 0.12 * (0.8 * at.y - 0.6 * at.x)), 0.35).g;
-        float press = dark + 0.22 * (sweep - 0.5) * (1.0 - dark) + 0.1 * (coarse.g - 0.5);
-        float smear = 0.45 * press;  // what a finger rubs into the paper
-        float caught = clamp((press - coarse.r) / 0.3 + 0.35, 0.0, 1.0);
-        cover = clamp(mix(smear, 0.95, caught * smoothstep(0.0, 0.25, press)), 0.0, 0.96);
+        float dark = pow(1.0 - smoothstep(0.0, 0.95, brightness(shown(at))), 1.3);
+        // The stick goes along one way, the paper's tooth catches it.
+        vec2 turned = vec2(0.8 * at.x + 0.6 * at.y, 0.8 * at.y - 0.6 * at.x);
+        vec2 drawn_out = turned * vec2(1.0, 0.1);
+        float tooth = mix(grain(at).r, grain(drawn_out, 1.3).r, 0.5);
+        float sweep = grain(turned * vec2(1.0, 0.15), 0.4).g - 0.5;
+        float press = dark * (1.0 + 0.35 * sweep) + 0.08 * sweep;
+        float smear = 0.6 * press;  // what a finger rubs into the paper
+        float caught = clamp((press - tooth) / 0.55 + 0.45, 0.0, 1.0);
+        cover = mix(smear, 0.92, caught * smoothstep(0.02, 0.5, press));
+        cover = clamp(cover, 0.0, 0.95);
     }
     colour = vec4(mix(bare(at), ink, cover), 1.0);
 }
