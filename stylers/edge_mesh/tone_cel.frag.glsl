@@ -4,7 +4,7 @@
 //         2000. Bands lie in equal ratios of brightness, so that dark and light paints alike have two
 //         or three of them.
 
-const float BANDS = 2.2;  // in a ratio of 2
+const float BANDS = 1.5;  // in a ratio of 2
 
 const float WHITES = 4.0;
 
