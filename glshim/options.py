@@ -28,7 +28,8 @@ NAME_KEY = "style"
 
 def parse_style(text: str, folder: str = "") -> Styler:
     """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys. A name
-    is a style's or a look's, which is a style file that comes with glshim. Paths in a text are taken from the folder, those in a file from where that lies.
+    is a style's, or a look's: that of a style file that comes with glshim. Paths in a text are
+    taken from the folder, those in a file from where that lies.
 
     Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
     """

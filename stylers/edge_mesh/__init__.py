@@ -110,8 +110,8 @@ class EdgeMesh(Styler):
     )
     tone: str = option(
         "app",
-        help="how surfaces are laid in, by the colours that the app gave them: plain paper, hatched "
-        "with a pen, charcoal rubbed on paper, flat bands, a watercolour wash",
+        help="how surfaces are laid in, by the app's own colours: plain paper, hatched with a pen, "
+        "charcoal on the paper's grain, flat bands, a watercolour wash",
         choices=("app", *TONES),
     )
     paper: str | Colour = option(  # noqa: RUF009

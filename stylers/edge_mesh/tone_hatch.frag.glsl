@@ -26,6 +26,7 @@ void main() {
         cover = lines(at, vec2(0.6, 0.8), 0.62 * dark - 0.08);
         cover = max(cover, lines(at, vec2(-0.8, 0.6), 0.75 * dark - 0.4));
         cover = max(cover, lines(at, vec2(0.995, 0.1), 1.2 * dark - 0.82));
+        cover = max(cover, smoothstep(0.93, 0.98, dark));  // black is filled in
     }
     colour = vec4(mix(bare(at), ink, cover), 1.0);
 }

@@ -24,11 +24,12 @@ vec2 spilled(vec2 place) {
 void main() {
     vec2 at = gl_FragCoord.xy;
     vec3 fine = grain(at), wide = grain(at, 3.0);
+    if (behind == 0 && !surface(at)) discard;
     vec2 place = at + 5.0 * (fine.gb - 0.5);
     if (behind == 1) place = spilled(place);
+    else if (!surface(place)) place = at;
     vec3 sheet = bare(at);
     if (!surface(place)) {
-        if (behind == 0 && !surface(at)) discard;
         colour = vec4(sheet, 1.0);
         return;
     }

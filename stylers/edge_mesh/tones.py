@@ -1,8 +1,8 @@
 """Tones: how surfaces are laid in under the lines, and the paper behind them.
 
 M. McGuire, J. F. Hughes, "Hardware-Determined Feature Edges", NPAR 2004, figure 7: pen and ink,
-charcoal, anime and watercolour differ in their strokes and in the fill of the mesh. Here the fill is
-a pass over the app's finished picture, so every program's own colours and light are kept.
+charcoal, anime and watercolour differ in their strokes and in the fill of the mesh. Here the fill
+is a pass over the app's finished picture, so every program's own colours and light are kept.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Layer
+from glshim.styling.protocol import Colour, Layer, Uniform
 from stylers.strokes.fields import Doubles, even, noise
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
@@ -48,8 +48,9 @@ def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> It
     if tone == "app" and paper == "app":
         return
     behind = not isinstance(paper, str)
-    uniforms = {"paper": WHITE if isinstance(paper, str) else paper, "behind": int(behind),
-                "ink": ink}  # fmt: skip
+    uniforms: dict[str, Uniform] = {
+        "paper": WHITE if isinstance(paper, str) else paper, "behind": int(behind), "ink": ink,
+    }  # fmt: skip
     windows = {body.camera.viewport: body for body in bodies(layer)}
     screens = tuple(_whole(body) for body in windows.values())
     yield Pass(

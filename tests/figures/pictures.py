@@ -10,7 +10,7 @@ from pathlib import Path
 from PIL import Image
 
 from tests.figures.rabbit import write_rabbit
-from tests.figures.shots import DEMOS, shot, sheet
+from tests.figures.shots import DEMOS, sheet, shot
 
 LOOKS = ("pen_and_ink", "charcoal", "anime", "watercolour")
 """The order of figure 7."""
