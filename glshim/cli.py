@@ -106,9 +106,11 @@ def variables_for(asked: argparse.Namespace) -> dict[str, str]:
 
 def _styles(asked: argparse.Namespace) -> int:
     from glshim.styling import registry
+    from stylers.looks import looks
 
-    for name in asked.names or registry.names():
-        print(options.describe(registry.load(name)))
+    for name in asked.names or (*registry.names(), *looks()):
+        is_look = name in looks()
+        print(options.describe_look(name) if is_look else options.describe(registry.load(name)))
     return 0
 
 

@@ -7,13 +7,14 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
+from stylers.looks import looks
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -26,8 +27,9 @@ NAME_KEY = "style"
 
 
 def parse_style(text: str, folder: str = "") -> Styler:
-    """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys.
-    Paths in a text are taken from the folder, those in a file from where that lies.
+    """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys. A name
+    is a style's, or a look's: that of a style file that comes with glshim. Paths in a text are
+    taken from the folder, those in a file from where that lies.
 
     Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
     """
@@ -37,11 +39,10 @@ def parse_style(text: str, folder: str = "") -> Styler:
     if text.endswith(".toml"):
         return load_style(Path(folder, text))
     name, _, assignments = text.partition(":")
-    styler = _load(name.strip())
-    values = dict(
-        _parsed(styler, piece, folder) for piece in assignments.split(",") if piece.strip()
-    )
-    return styler(**values)
+    look = looks().get(name.strip())
+    styler = load_style(look) if look else _load(name.strip())()
+    pieces = (piece for piece in assignments.split(",") if piece.strip())
+    return replace(styler, **dict(_parsed(type(styler), piece, folder) for piece in pieces))
 
 
 def load_style(path: Path) -> Styler:
@@ -92,7 +93,8 @@ def _load(name: str) -> type[Styler]:
             raise StyleError(
                 f"{name} is a file: a style file is given alone, as NAME.toml"
             ) from error
-        raise
+        known = (*registry.names(), *looks())
+        raise _unknown(f"no style is called {name!r}", name, known) from error
 
 
 def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:
@@ -176,6 +178,19 @@ def read_environment(
         capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
     )
     return settings, tuple(complaints)
+
+
+def describe_look(name: str) -> str:
+    """A look for people: the first line of its file, and the text that says the same."""
+    path = looks()[name]
+    styler = load_style(path)
+    summary = path.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ")
+    changed = (
+        f"{o.name}={o.show(getattr(styler, o.name))}"
+        for o in options_of(type(styler))
+        if getattr(styler, o.name) != o.default
+    )
+    return f"{name}: {summary}\n  {styler.name}:{','.join(changed)}"
 
 
 def describe(styler: type[Styler]) -> str:

@@ -203,7 +203,7 @@ class _Run:
 
 def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
     found: list[_Run] = []
-    for kind, alike in groupby(draws, key=type):
+    for (kind, _), alike in groupby(draws, key=lambda one: (type(one), getattr(one, "sheet", 0))):
         if not issubclass(kind, (Draw, Pass)):
             raise TypeError(f"a styler draws with Draw and Pass, not with {kind.__name__}")
         run = list(alike)

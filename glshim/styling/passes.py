@@ -112,6 +112,9 @@ class Pass:
     """How the shader moves vertices before anything else; None: as the app sent them."""
     sieve: Sieve | None = None
     """For edges: which of them may be left out; None: none."""
+    sheet: int = 0
+    """Passes that follow each other on one sheet share colour, depth and stencil; at the first of
+    another one what was drawn is laid over the window, and all three begin anew."""
 
 
 def bodies(layer: Layer) -> tuple[Body, ...]:

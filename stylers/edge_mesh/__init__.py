@@ -18,6 +18,7 @@ from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers.edge_mesh.paper import PaperLook, paper_passes
+from stylers.edge_mesh.tones import TONES, tone_passes
 from stylers.raskar import SHADER
 from stylers.strokes import MADE, made
 
@@ -110,6 +111,16 @@ class EdgeMesh(Styler):
         "or cut out of the screen",
         choices=("screen", "object"),
     )
+    tone: str = option(
+        "app",
+        help="how surfaces are laid in, by the app's own colours: plain paper, hatched with a pen, "
+        "charcoal on the paper's grain, flat bands, a watercolour wash",
+        choices=("app", *TONES),
+    )
+    paper: str | Colour = option(  # noqa: RUF009
+        "app", help="what is behind the surfaces: as the app drew it, or paper of a colour",
+        choices=("app",), colour=True,
+    )  # fmt: skip
     fill: str | Colour = option(  # noqa: RUF009
         "app", help="the surfaces: as the app drew them, none, or flat in a colour",
         choices=("app", "none"), colour=True,
@@ -126,8 +137,9 @@ class EdgeMesh(Styler):
         return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
-        """Strokes of the chains of all batches, or passes over them. Batches that share a camera
-        are one mesh."""
+        """Tones, and over them strokes of the chains of all batches, or passes over them. Batches
+        that share a camera are one mesh."""
+        yield from tone_passes(self.tone, self.paper, self.contour_ink, layer)
         if self.strokes != "chained":
             yield from paper_passes(self._look(), layer)
             return

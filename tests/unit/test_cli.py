@@ -129,7 +129,7 @@ def test_python_that_reads_no_startup_file_is_refused(tmp_path: Path) -> None:
 def test_styles_lists_every_style_with_its_options() -> None:
     done = glshim("styles")
     assert done.returncode == 0
-    for word in ("none:", "raskar:", "ridge_angle", "0..360 degrees", "#rrggbb"):
+    for word in ("none:", "raskar:", "ridge_angle", "0..360 degrees", "#rrggbb", "anime: "):
         assert word in done.stdout
     assert glshim("styles", "rasker").returncode == 2
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import pytest
@@ -10,9 +11,18 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
-from glshim.options import describe, parse_capture, parse_frames, parse_style, read_environment
+from glshim.options import (
+    describe,
+    describe_look,
+    parse_capture,
+    parse_frames,
+    parse_style,
+    read_environment,
+)
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
+from stylers.edge_mesh import EdgeMesh
+from stylers.looks import looks
 from stylers.raskar import Raskar
 from stylers.strokes import MADE
 
@@ -61,6 +71,29 @@ def test_an_unknown_name_carries_its_nearest_matches() -> None:
     with pytest.raises(UnknownNameError) as caught:
         parse_style("raskar:silhouete_width=2")
     assert caught.value.matches[0] == "silhouette_width"
+
+
+@pytest.mark.parametrize("name", looks())
+def test_a_look_is_a_style_file_that_comes_with_glshim(name: str) -> None:
+    style = parse_style(name)
+    assert isinstance(style, EdgeMesh)
+    assert style != EdgeMesh()
+    assert parse_style(f" {name} : contour_width=9, ridges=off") == dataclasses.replace(
+        style, contour_width=9, ridges=False
+    )
+    title, text = describe_look(name).splitlines()
+    assert title.startswith(f"{name}: ")
+    assert parse_style(text) == style
+
+
+def test_looks_are_not_styles_and_are_among_what_is_near() -> None:
+    assert set(looks()) >= {"pen_and_ink", "charcoal", "anime", "watercolour"}
+    assert not set(looks()) & set(registry.names())
+    with pytest.raises(UnknownNameError, match="did you mean watercolour") as caught:
+        parse_style("watercolor:ridges=off")
+    assert caught.value.matches[0] == "watercolour"
+    with pytest.raises(StyleError, match="style 'edge_mesh' has no option 'silhouettes'"):
+        parse_style("anime:silhouettes=on")
 
 
 def test_a_file_has_the_same_keys(tmp_path: Path) -> None:

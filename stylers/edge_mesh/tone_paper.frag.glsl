@@ -1,0 +1,7 @@
+// What:   plain paper: lines alone are drawn on it.
+// Inputs: tone.glsl.
+
+void main() {
+    if (behind == 0 && !surface(gl_FragCoord.xy)) discard;
+    colour = vec4(bare(gl_FragCoord.xy), 1.0);
+}

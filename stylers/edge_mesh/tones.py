@@ -1,0 +1,82 @@
+"""Tones: how surfaces are laid in under the lines, and the paper behind them.
+
+M. McGuire, J. F. Hughes, "Hardware-Determined Feature Edges", NPAR 2004, figure 7: pen and ink,
+charcoal, anime and watercolour differ in their strokes and in the fill of the mesh. Here the fill
+is a pass over the app's finished picture, so every program's own colours and light are kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+from importlib.resources import files
+
+import numpy as np
+
+from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
+from glshim.styling.pictures import Image
+from glshim.styling.protocol import Colour, Layer, Uniform
+from stylers.strokes.fields import Doubles, even, noise
+
+TONES = ("paper", "hatch", "grain", "cel", "wash")
+WHITE: Colour = (0.985, 0.975, 0.95)
+"""The paper of tones where the background stays the app's."""
+_HERE = files(__package__)
+_SIDE = 512
+"""Pixels after which the paper's grain repeats."""
+_STATE = State(depth="always", blend="off")
+_UNDER = -1
+"""The sheet: lines go over it."""
+
+
+def _text(name: str) -> str:
+    return (_HERE / f"{name}.glsl").read_text("utf-8")
+
+
+_SHADERS = {
+    name: MeshShader(
+        f"tone {name}", _text("recede.vert"), _text("tone") + _text(f"tone_{name}.frag")
+    )
+    for name in ("app", *TONES)
+}
+
+
+def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> Iterator[Pass]:
+    """One pass over every viewport, unless all stays as the app drew it. tone: ``app`` or one of
+    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand."""
+    if tone == "app" and paper == "app":
+        return
+    behind = not isinstance(paper, str)
+    uniforms: dict[str, Uniform] = {
+        "paper": WHITE if isinstance(paper, str) else paper, "behind": int(behind), "ink": ink,
+    }  # fmt: skip
+    windows = {body.camera.viewport: body for body in bodies(layer)}
+    screens = tuple(_whole(body) for body in windows.values())
+    yield Pass(
+        _SHADERS[tone], screens, "screen", state=_STATE, uniforms=uniforms, image=grain(),
+        sheet=_UNDER,
+    )  # fmt: skip
+
+
+def _whole(body: Body) -> Body:
+    return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))
+
+
+@cache
+def grain() -> Image:
+    """What paper is like, a value a pixel, all in 0..1 equally common: its tooth (red), and two
+    fields of clouds (green, blue)."""
+    chance = np.random.default_rng(2004)
+    shape = (_SIDE, _SIDE)
+
+    def field(fine: float, coarse: float) -> Doubles:
+        """Noise of two sizes, pixels."""
+        sizes = ((fine, fine), (coarse, coarse))
+        first, second = (noise(chance, shape, size) for size in sizes)
+        return even(first + 0.8 * second)
+
+    found = [field(1.2, 3.0), field(14.0, 40.0), field(14.0, 40.0)]
+    pixels = np.full((*shape, 4), 255, np.uint8)
+    pixels[..., :3] = np.rint(np.stack(found, axis=-1) * 255.0)
+    return Image(pixels)
