@@ -8,7 +8,7 @@ GPU knew neither the next edge nor the last frame. Here strokes run on along cha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +21,8 @@ from glshim.geometry.vectors import Doubles, dot, unit
 
 Indices = NDArray[np.intp]
 Places = NDArray[np.complex128]
+Objects = tuple[tuple[Hashable, Doubles], ...]
+"""Name and modelview (4, 4) of each object."""
 
 _REACH = 12.0
 """Pixels in which a stroke finds what it was."""
@@ -33,6 +35,10 @@ _CROWD = 10
 _STIFFNESS = 12.0**2
 """Square of the pixels over which a pattern gives way to what was there."""
 _ROUNDS = 60
+_MOST_ALIKE = 200
+"""Objects of one name that are told apart by where they are; of more, by their order."""
+_MOST_PASTS = 4
+"""Pasts of a view."""
 _DEPTH = 0.3
 """What a pixel's worth along the line of sight counts of one across: layers keep apart."""
 
@@ -56,7 +62,7 @@ class Past:
     modelviews: tuple[Doubles, ...]
     """(4, 4) of each object."""
     names: tuple[Hashable, ...]
-    """What each object is: one of the same name in the next frame is the same."""
+    """What each object is: of those of the same name in the next frame the nearest is the same."""
 
     @property
     def nbytes(self) -> int:
@@ -77,8 +83,7 @@ class Drawn:
     """(L,) of the lines."""
     owner: Indices
     """(L,) object of each, by number."""
-    objects: tuple[tuple[Hashable, Doubles], ...]
-    """Name and modelview (4, 4) of each object."""
+    objects: Objects
 
 
 def keep(drawn: Drawn) -> Past:
@@ -232,25 +237,75 @@ def _samples(walk: Walk) -> tuple[Indices, Doubles]:
 
 
 def _now(
-    past: Past, objects: tuple[tuple[Hashable, Doubles], ...], camera: Camera
+    past: Past, objects: Objects, camera: Camera
 ) -> tuple[Doubles, Places]:
     """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
     window; NaN where that is not known."""
-    by_name = dict(objects)
-    points = np.full(past.points.shape, np.nan)
-    for number, (name, before) in enumerate(zip(past.names, past.modelviews, strict=True)):
-        after = by_name.get(name)
-        some = past.owner == number
-        if after is None or not some.any():
-            continue
+    before = tuple(zip(past.names, past.modelviews, strict=True))
+    motions = np.full((len(before), 4, 4), np.nan)
+    for old, new in paired(before, objects).items():
         try:
-            motion = after @ np.linalg.inv(before)
+            motions[old] = objects[new][1] @ np.linalg.inv(before[old][1])
         except np.linalg.LinAlgError:
-            motion = np.eye(4)
-        points[some] = past.points[some] @ motion[:3, :3].T + motion[:3, 3]
+            motions[old] = np.eye(4)
     with np.errstate(all="ignore"):
+        motion = motions[past.owner]
+        points = np.einsum("nij,nj->ni", motion[:, :3, :3], past.points) + motion[:, :3, 3]
         found = window(points, camera)
     return points, np.asarray(found[:, 0] + 1j * found[:, 1])
+
+
+def paired(before: Objects, now: Objects) -> dict[int, int]:
+    """For objects of a frame, by number, which of the next frame they are: of those of one name
+    the nearest. Those whose names are new go on from those whose names are gone, in their order:
+    a surface that is made anew in each frame has no lasting connectivity."""
+    found: dict[int, int] = {}
+    by_name: dict[Hashable, tuple[list[int], list[int]]] = {}
+    for k, objects in enumerate((before, now)):
+        for number, (name, _) in enumerate(objects):
+            by_name.setdefault(name, ([], []))[k].append(number)
+    for old, new in by_name.values():
+        found.update(_nearest_poses(old, new, before, now))
+    gone = [number for old, new in by_name.values() if not new for number in old]
+    fresh = [number for old, new in by_name.values() if not old for number in new]
+    found.update(zip(sorted(gone), sorted(fresh), strict=False))
+    return found
+
+
+def _nearest_poses(
+    old: list[int], new: list[int], before: Objects, now: Objects
+) -> Iterable[tuple[int, int]]:
+    """Pairs of objects of one name, the most alike poses first."""
+    if len(old) == len(new) == 1 or max(len(old), len(new)) > _MOST_ALIKE:
+        return zip(old, new, strict=False)
+    one, other = (
+        np.array([objects[number][1][:3].ravel() for number in numbers]).reshape(-1, 12)
+        for numbers, objects in ((old, before), (new, now))
+    )
+    away = np.nan_to_num(((one[:, None] - other[None]) ** 2).sum(axis=2), nan=np.inf)
+    pairs: list[tuple[int, int]] = []
+    free = np.ones(away.shape, np.bool_)
+    for place in np.argsort(away, axis=None, kind="stable").tolist():
+        i, j = divmod(place, len(new))
+        if free[i, j]:
+            pairs.append((old[i], new[j]))
+            free[i], free[:, j] = False, False
+    return pairs
+
+
+def latest(pasts: tuple[Past, ...], names: Sequence[Hashable]) -> Past | None:
+    """Of several pasts of a view, the latest first, the one that shows most of some objects: an
+    app may draw several layers in one viewport."""
+    known = set(names)
+    return max(pasts, key=lambda past: len(known.intersection(past.names)), default=None)
+
+
+def kept_with(past: Past, pasts: tuple[Past, ...], before: Past | None) -> tuple[Past, ...]:
+    """The pasts of a view with a new one, which takes the place of the one that it went on from
+    if they have objects in common."""
+    went_on = before is not None and not set(before.names).isdisjoint(past.names)
+    others = tuple(one for one in pasts if not (went_on and one is before))
+    return (past, *others)[:_MOST_PASTS]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

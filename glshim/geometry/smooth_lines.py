@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.components import components
 from glshim.geometry.contours import Segments, smooth_contours, suggestive_contours
 from glshim.geometry.curvature import (
     Curvature,
@@ -20,8 +19,8 @@ from glshim.geometry.curvature import (
     principal_curvatures,
     vertex_normals,
 )
+from glshim.geometry.folds import Topology
 from glshim.geometry.lines import CONTOUR, GROUP, RECORD, RIDGE, SUGGESTIVE
-from glshim.geometry.mesh import Mesh
 from glshim.geometry.vectors import Doubles, unit
 
 Floats = NDArray[np.float32]
@@ -31,19 +30,17 @@ Flags = NDArray[np.bool_]
 class SmoothPieces:
     """A mesh cut open at its creases."""
 
-    def __init__(self, mesh: Mesh, creases: Flags) -> None:
-        """creases: (E,) rows of ``mesh.edges`` that are folds, not a smooth surface."""
-        self.mesh = mesh
-        a, b = mesh.faces.T.astype(np.intp)
-        whole = np.flatnonzero((b >= 0) & ~creases & ~mesh.twisted)
-        ends = mesh.edges[whole]
-        one, other = (
-            np.concatenate([_corner(mesh, of[whole], ends[:, k]) for k in (0, 1)]) for of in (a, b)
-        )
-        found = components(mesh.triangles.size, one, other)
-        self.triangles: NDArray[np.int32] = found.label.reshape(-1, 3)
+    def __init__(
+        self, topology: Topology, positions: Floats, planes: Doubles, creases: Flags
+    ) -> None:
+        """positions (V, 3) and unit normals (T, 3) of a mesh; creases: (E,) its edges that are
+        folds, not a smooth surface."""
+        self._corners = positions[topology.triangles]
+        self._planes = planes
+        self.triangles: NDArray[np.int32]
         """(T, 3) indices of `positions`: a vertex for each piece that it belongs to."""
-        self.positions: Floats = mesh.positions[mesh.triangles.ravel()[found.first]]
+        self.triangles, first = topology.parted(creases)
+        self.positions: Floats = self._corners.reshape(-1, 3)[first]
         """(C, 3) object space."""
 
     @cached_property
@@ -64,7 +61,7 @@ class SmoothPieces:
     @cached_property
     def size(self) -> Doubles:
         """(T,) half the longest side of each triangle."""
-        corners = self.mesh.positions[self.mesh.triangles].astype(np.float64)
+        corners = self._corners.astype(np.float64)
         sides = corners - corners[:, [1, 2, 0]]
         return np.asarray(np.sqrt((sides**2).sum(axis=2)).max(axis=1) / 2.0)
 
@@ -98,7 +95,7 @@ class SmoothPieces:
             return records
         linear = modelview[:3, :3]
         ends = found.ends.astype(np.float64) @ linear.T + modelview[:3, 3]
-        normals = unit(self.mesh.normals[found.triangle] @ cofactors(modelview).T)
+        normals = unit(self._planes[found.triangle] @ cofactors(modelview).T)
         placed = camera.under(modelview)
         first = ends[:, 0]
         ccw = np.einsum("ni,ni->n", normals, placed.centre[:3] - placed.centre[3] * first) > 0.0
@@ -122,12 +119,6 @@ class SmoothPieces:
             records[:, 12:15] = normals
         records[:, 15] = kind
         return records
-
-
-def _corner(mesh: Mesh, triangle: NDArray[np.intp], vertex: NDArray[np.int32]) -> NDArray[np.int32]:
-    """Number 3 t + k of the corner at which triangles have vertices."""
-    at = (mesh.triangles[triangle] == vertex[:, None]).argmax(axis=1)
-    return np.asarray(3 * triangle + at, np.int32)
 
 
 def _eye(modelview: Doubles, camera: Camera) -> Doubles | None:
