@@ -98,8 +98,7 @@ class EdgeLines:
     @cached_property
     def pieces(self) -> SmoothPieces:
         """The mesh cut open at its creases."""
-        folded = self.folds(None).leaning(np.pi - SHARP)
-        return SmoothPieces(self.topology, self.positions, self.normals, folded)
+        return SmoothPieces(self.topology, self.positions, self.normals, self.folds(None))
 
     def folds(self, linear: Doubles | None) -> Folds:
         """The dihedral angles in object space, or in the space that a linear part (3, 3) leads
@@ -123,20 +122,20 @@ class EdgeLines:
         edges = seen.decided(wanted)
         pieces = []
         if wanted.contours:
-            rows = edges.contours
-            folds = self.folds(None).dihedral(rows)
-            if wanted.smooth:
-                sharp = np.abs(folds - np.pi) >= np.pi - SHARP
-                rows, folds = rows[sharp], folds[sharp]
-                pieces.append(self.pieces.contours(modelview, camera))
-            shape = np.select([folds <= SHARP, folds <= np.pi], [RING, CONTOUR], HOLLOW)
-            pieces.append(seen.records(rows, shape, outline=True))
+            smooth = self.pieces.contours(modelview, camera) if wanted.smooth else None
+            if smooth is None:
+                rows = edges.contours
+                angles = self.folds(None).dihedral(rows)
+                shape = np.select([angles <= SHARP, angles <= np.pi], [RING, CONTOUR], HOLLOW)
+                smooth = seen.records(rows, shape, outline=True)
+            pieces.append(smooth)
         pieces.append(seen.records(edges.ridges, RIDGE))
         pieces.append(seen.records(edges.valleys, VALLEY))
         pieces.append(seen.records(edges.marked, RIDGE + GROUP * (MARKED - 3)))
         pieces.append(seen.records(edges.boundary, FIN + GROUP * (BOUNDARY - 3), outline=True))
         if wanted.suggestive:
-            pieces.append(self.pieces.suggestive(modelview, camera))
+            suggestive = self.pieces.suggestive(modelview, camera)
+            pieces += [] if suggestive is None else [suggestive]
         return np.concatenate(pieces)
 
     def _seen(self, modelview: Doubles, camera: Camera) -> _Seen:

@@ -71,14 +71,14 @@ class Topology:
             whole = np.flatnonzero(~self.alone & ~creases & ~self.twisted)
             ends = self.edges[whole]
             one, other = (
-                np.concatenate([self._corner(of[whole], ends[:, k]) for k in (0, 1)])
+                np.concatenate([self.corner(of[whole], ends[:, k]) for k in (0, 1)])
                 for of in (self.a, self.b)
             )
             found = components(self.triangles.size, one, other)
             known = self._parted = (creases, found.label.reshape(-1, 3), found.first)
         return known[1], known[2]
 
-    def _corner(self, triangle: Rows, vertex: Indices) -> Indices:
+    def corner(self, triangle: Rows, vertex: Indices) -> Indices:
         """(N,) the number of a vertex's corner in its triangle, of all corners."""
         at = self.triangles[triangle] == vertex[:, None]
         return np.asarray(3 * triangle + at.argmax(axis=1), np.int32)
@@ -106,10 +106,14 @@ class Folds:
         way = np.sign(np.linalg.det(linear)) == np.sign(np.linalg.det(self._linear))
         return bool(way and np.abs(one - other).max() <= _ALIKE * np.abs(other).max())
 
+    def ends(self, rows: Rows) -> Doubles:
+        """(N, 2, 3) both ends of edges, object space."""
+        return self._positions[self._topology.edges[rows]].astype(np.float64)
+
     def dihedral(self, rows: Rows) -> Doubles:
         """(N,) `glshim.geometry.edges.dihedral` of edges, from the winding side of A."""
-        along = self._positions[self._topology.edges[rows]].astype(np.float64)
-        along = along[:, 1] - along[:, 0]
+        ends = self.ends(rows)
+        along = ends[:, 1] - ends[:, 0]
         if self._linear is not None:
             along = along @ self._linear.T
         return dihedral(along, *self._both(rows))

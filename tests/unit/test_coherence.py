@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -28,8 +29,7 @@ def line(*points, z=-10.0):
 def cut(points, step=7.0):
     """A polyline with all of its parts cut in pieces."""
     found = [points[0]]
-    for a, b in zip(points[:-1], points[1:], strict=True):
-        a, b = np.asarray(a, float), np.asarray(b, float)
+    for a, b in pairwise(np.asarray(points, float)):
         count = max(int(np.ceil(np.linalg.norm(b - a) / step)), 1)
         found += [a + (b - a) * k / count for k in range(1, count + 1)]
     return line(*found)
@@ -44,14 +44,14 @@ def together(*some):
     return tuple(np.concatenate(parts) for parts in zip(*some, strict=True))
 
 
-def drawn(lines, group=1, objects=STILL, owner=None, past=None, camera=CAMERA):
+def drawn(lines, group=1, objects=STILL, owner=None, past=None):
     """Lines of a frame, with the phases that follow a past."""
     a, b = lines
     groups = np.full(len(a), group) if np.isscalar(group) else np.asarray(group)
-    walk = measure(a.astype(np.float32), b.astype(np.float32), groups, camera, PATTERN)
+    walk = measure(a.astype(np.float32), b.astype(np.float32), groups, CAMERA, PATTERN)
     owners = np.zeros(len(a), int) if owner is None else np.asarray(owner)
     found = Drawn(walk, a, b, groups, owners, objects)
-    return found if past is None else replace(found, walk=follow(found, camera, past))
+    return found if past is None else replace(found, walk=follow(found, CAMERA, past))
 
 
 def shifted(frame, by):
@@ -304,7 +304,7 @@ def test_huge_and_broken_coordinates_harm_nobody_else(value):
 def test_the_result_is_deterministic_and_does_not_hang_on_the_order_of_lines():
     lines = together(circle(90), cut([(-150, -150), (0, 0), (150, -150)]))
     before = shifted(drawn(lines), 0.3)
-    moved_on = tuple(end + (2.0, 1.0, 0.0) for end in lines)
+    moved_on = tuple(end + np.array((2.0, 1.0, 0.0)) for end in lines)
     one, other = (drawn(moved_on, past=keep(before)) for _ in range(2))
     assert (one.walk.begin == other.walk.begin).all()
     order = np.random.default_rng(4).permutation(len(lines[0]))
