@@ -27,10 +27,10 @@ Objects = tuple[tuple[Hashable, Doubles], ...]
 _REACH = 12.0
 """Pixels in which a stroke finds what it was."""
 _STEP = 6.0
-"""Pixels of a stroke for one sample at least."""
+"""Pixels of a stroke for one sample."""
 _MOST_SAMPLES = 64
 """Samples of one line."""
-_CROWD = 10
+_CROWD = 24
 """Old samples in a cell that are looked at."""
 _STIFFNESS = 12.0**2
 """Square of the pixels over which a pattern gives way to what was there."""
@@ -130,7 +130,7 @@ def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
     met = np.flatnonzero(found >= 0)
     if not len(met):
         return walk
-    weight = (size / np.bincount(line)[line])[met]
+    weight = np.maximum(size / np.bincount(line)[line], _STEP)[met]
     line, share, found = line[met], share[met], found[met]
     here = walk.begin[line] + share * (walk.finish - walk.begin)[line]
     ahead = ((new.places[met] - old[found]) * past.along[found].conj()).real
@@ -227,13 +227,27 @@ def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
 
 
 def _samples(walk: Walk) -> tuple[Indices, Doubles]:
-    """Of lines with a pattern, (N,) the line of each sample and (N,) how far along, 0..1."""
-    size = np.abs(walk.places[1] - walk.places[0])
-    size = np.where((walk.stroke >= 0) & np.isfinite(size), size, 0.0)
-    counts = np.ceil(np.minimum(size / _STEP, _MOST_SAMPLES)).astype(np.intp)
-    line = np.repeat(np.arange(len(size)), counts)
-    first = np.repeat(np.cumsum(counts) - counts, counts)
-    return line, (np.arange(len(line)) - first + 0.5) / counts[line]
+    """(N,) the line of each sample and (N,) how far along, 0..1: every `_STEP` pixels of a stroke,
+    however short its lines are."""
+    on = np.flatnonzero(walk.stroke >= 0)
+    low = np.minimum(walk.begin, walk.finish)[on]
+    order = on[np.lexsort((low, walk.stroke[on]))]
+    size = np.abs(walk.places[1] - walk.places[0])[order]
+    size = np.where(np.isfinite(size), size, 0.0)
+    total = np.cumsum(size)
+    stroke = walk.stroke[order]
+    first = np.flatnonzero(np.append(True, stroke[1:] != stroke[:-1])) if len(order) else order
+    lengths = np.diff(first, append=len(order))
+    along = total - size - np.repeat((total - size)[first], lengths)
+    begins, ends = (np.floor(place / _STEP + 0.5) for place in (along, along + size))
+    counts = np.minimum(ends - begins, _MOST_SAMPLES).astype(np.intp)
+    which = np.repeat(np.arange(len(order)), counts)
+    number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+    share = ((begins[which] + number + 0.5) * _STEP - along[which]) / np.maximum(size[which], 1e-9)
+    crowded = (ends - begins)[which] > _MOST_SAMPLES
+    share = np.where(crowded, (number + 0.5) / _MOST_SAMPLES, np.clip(share, 0.0, 1.0))
+    line = order[which]
+    return line, np.where(walk.begin[line] <= walk.finish[line], share, 1.0 - share)
 
 
 def _now(
