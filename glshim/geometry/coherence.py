@@ -86,20 +86,18 @@ class Drawn:
     objects: Objects
 
 
-def keep(drawn: Drawn) -> Past:
+def keep(drawn: Drawn, camera: Camera) -> Past:
     """The past of the next frame."""
-    walk, a, b = drawn.walk, drawn.a, drawn.b
-    line, share = _samples(walk)
-    z0, z1 = walk.places
-    step = z1[line] - z0[line]
-    size = np.maximum(np.abs(step), 1e-9)
+    walk = drawn.walk
+    line, share, new = _sampled(drawn, camera)
     spread = walk.finish - walk.begin
+    size = np.maximum(np.abs(walk.places[1] - walk.places[0]), 1e-9)
     return Past(
-        a[line] + share[:, None] * (b[line] - a[line]),
-        step / size,
+        new.points,
+        new.along,
         np.mod(walk.begin[line] + share * spread[line], 1.0),
-        spread[line] / size,
-        drawn.group[line],
+        spread[line] / size[line],
+        new.group,
         drawn.owner[line],
         tuple(modelview for _, modelview in drawn.objects),
         tuple(name for name, _ in drawn.objects),
@@ -114,17 +112,11 @@ def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
     the pattern stays where it was, over longer distances it has its own length.
     """
     walk = drawn.walk
-    line, share = _samples(walk)
+    line, share, new = _sampled(drawn, camera)
     points, old = _now(past, drawn.objects, camera)
     if not len(line) or not len(old):
         return walk
-    z0, z1 = walk.places
-    step = (z1 - z0)[line]
-    size = np.maximum(np.abs(step), 1e-9)
-    new = _Samples(
-        drawn.a[line] + share[:, None] * (drawn.b - drawn.a)[line],
-        z0[line] + share * step, step / size, drawn.group[line],
-    )  # fmt: skip
+    size = np.abs(walk.places[1] - walk.places[0])[line]
     before = _Samples(points, old, past.along, past.group)
     found = _nearest(new, before, camera)
     met = np.flatnonzero(found >= 0)
@@ -224,6 +216,25 @@ def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
         size, before = float(np.vdot(rest, rest).real), size
         way = rest + size / max(before, 1e-300) * way
     return z
+
+
+def _sampled(drawn: Drawn, camera: Camera) -> tuple[Indices, Doubles, _Samples]:
+    """(N,) the line of each sample of a frame, (N,) how far along that in the window, 0..1, and
+    the samples. Places in the window are those of the points, to the last bit: a line in
+    perspective does not go by evenly."""
+    line, share = _samples(drawn.walk)
+    begin, step = drawn.a[line], (drawn.b - drawn.a)[line]
+    points = begin + share[:, None] * step
+    with np.errstate(all="ignore"):
+        found = window(points, camera)
+        places = found[:, 0] + 1j * found[:, 1]
+        z0, z1 = drawn.walk.places
+        way = (z1 - z0)[line]
+        share = ((places - z0[line]) * way.conj()).real / np.abs(way) ** 2
+        good = np.flatnonzero((share >= 0.0) & (share <= 1.0))  # not what clip planes cut off
+    line, way = line[good], way[good]
+    samples = _Samples(points[good], places[good], way / np.abs(way), drawn.group[line])
+    return line, share[good], samples
 
 
 def _samples(walk: Walk) -> tuple[Indices, Doubles]:

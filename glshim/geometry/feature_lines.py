@@ -242,7 +242,7 @@ def feature_lines(
         drawn = replace(drawn, walk=follow(drawn, camera, past))
     turns = np.floor(drawn.walk.begin)
     whole[:, 16], whole[:, 17] = drawn.walk.begin - turns, drawn.walk.finish - turns
-    return whole, keep(drawn)
+    return whole, keep(drawn, camera)
 
 
 def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:

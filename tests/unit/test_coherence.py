@@ -8,9 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from glshim.geometry import coherence
 from glshim.geometry.camera import Camera
 from glshim.geometry.chains import Pattern, measure
-from glshim.geometry.coherence import Drawn, Past, follow, keep, kept_with, latest, paired
+from glshim.geometry.coherence import Drawn, Past, follow, kept_with, latest, paired
 from tests import look
 
 LENGTH = 40.0
@@ -18,6 +19,10 @@ PATTERN = Pattern((LENGTH,) * 8, 1.0)
 CAMERA = Camera(np.eye(4), look.orthographic(200.0), (0, 0, 400, 400))
 """A unit of eye space is a pixel of the window; (0, 0) is its middle."""
 STILL = (("it", np.eye(4)),)
+
+
+def keep(frame):
+    return coherence.keep(frame, CAMERA)
 
 
 def line(*points, z=-10.0):
@@ -311,3 +316,18 @@ def test_the_result_is_deterministic_and_does_not_hang_on_the_order_of_lines():
     mixed = drawn(tuple(end[order] for end in moved_on), past=keep(before))
     assert apart(mixed.walk.begin, one.walk.begin[order]).max() < 0.1
     is_whole(one)
+
+
+def test_lines_that_recede_stay_where_they_are():
+    """In perspective a line's middle is not the middle of its picture."""
+    lens = Camera(np.eye(4), look.perspective(60.0), (0, 0, 400, 400))
+    a, b = np.array([[-1.0, -1, -2], [-1, 0.5, -1.2]]), np.array([[3.0, 1, -30], [2, 1, -9]])
+    groups, owner = np.ones(2, int), np.zeros(2, int)
+    walk = measure(a.astype(np.float32), b.astype(np.float32), groups, lens, PATTERN)
+    first = frame = shifted(Drawn(walk, a, b, groups, owner, STILL), 0.3)
+    for _ in range(10):
+        past = coherence.keep(frame, lens)
+        frame = Drawn(walk, a, b, groups, owner, STILL)
+        frame = replace(frame, walk=follow(frame, lens, past))
+    assert apart(frame.walk.begin, first.walk.begin).max() < 1e-3
+    assert apart(frame.walk.finish, first.walk.finish).max() < 1e-3
