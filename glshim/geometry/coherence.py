@@ -8,7 +8,7 @@ GPU knew neither the next edge nor the last frame. Here strokes run on along cha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,18 +21,24 @@ from glshim.geometry.vectors import Doubles, dot, unit
 
 Indices = NDArray[np.intp]
 Places = NDArray[np.complex128]
+Objects = tuple[tuple[Hashable, Doubles], ...]
+"""Name and modelview (4, 4) of each object."""
 
 _REACH = 12.0
 """Pixels in which a stroke finds what it was."""
 _STEP = 6.0
-"""Pixels of a stroke for one sample at least."""
+"""Pixels of a stroke for one sample."""
 _MOST_SAMPLES = 64
 """Samples of one line."""
-_CROWD = 10
+_CROWD = 24
 """Old samples in a cell that are looked at."""
 _STIFFNESS = 12.0**2
 """Square of the pixels over which a pattern gives way to what was there."""
 _ROUNDS = 60
+_MOST_ALIKE = 200
+"""Objects of one name that are told apart by where they are; of more, by their order."""
+_MOST_PASTS = 4
+"""Pasts of a view."""
 _DEPTH = 0.3
 """What a pixel's worth along the line of sight counts of one across: layers keep apart."""
 
@@ -56,7 +62,7 @@ class Past:
     modelviews: tuple[Doubles, ...]
     """(4, 4) of each object."""
     names: tuple[Hashable, ...]
-    """What each object is: one of the same name in the next frame is the same."""
+    """What each object is: of those of the same name in the next frame the nearest is the same."""
 
     @property
     def nbytes(self) -> int:
@@ -77,24 +83,21 @@ class Drawn:
     """(L,) of the lines."""
     owner: Indices
     """(L,) object of each, by number."""
-    objects: tuple[tuple[Hashable, Doubles], ...]
-    """Name and modelview (4, 4) of each object."""
+    objects: Objects
 
 
-def keep(drawn: Drawn) -> Past:
+def keep(drawn: Drawn, camera: Camera) -> Past:
     """The past of the next frame."""
-    walk, a, b = drawn.walk, drawn.a, drawn.b
-    line, share = _samples(walk)
-    z0, z1 = walk.places
-    step = z1[line] - z0[line]
-    size = np.maximum(np.abs(step), 1e-9)
+    walk = drawn.walk
+    line, share, new = _sampled(drawn, camera)
     spread = walk.finish - walk.begin
+    size = np.maximum(np.abs(walk.places[1] - walk.places[0]), 1e-9)
     return Past(
-        a[line] + share[:, None] * (b[line] - a[line]),
-        step / size,
+        new.points,
+        new.along,
         np.mod(walk.begin[line] + share * spread[line], 1.0),
-        spread[line] / size,
-        drawn.group[line],
+        spread[line] / size[line],
+        new.group,
         drawn.owner[line],
         tuple(modelview for _, modelview in drawn.objects),
         tuple(name for name, _ in drawn.objects),
@@ -109,23 +112,17 @@ def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
     the pattern stays where it was, over longer distances it has its own length.
     """
     walk = drawn.walk
-    line, share = _samples(walk)
+    line, share, new = _sampled(drawn, camera)
     points, old = _now(past, drawn.objects, camera)
     if not len(line) or not len(old):
         return walk
-    z0, z1 = walk.places
-    step = (z1 - z0)[line]
-    size = np.maximum(np.abs(step), 1e-9)
-    new = _Samples(
-        drawn.a[line] + share[:, None] * (drawn.b - drawn.a)[line],
-        z0[line] + share * step, step / size, drawn.group[line],
-    )  # fmt: skip
+    size = np.abs(walk.places[1] - walk.places[0])[line]
     before = _Samples(points, old, past.along, past.group)
     found = _nearest(new, before, camera)
     met = np.flatnonzero(found >= 0)
     if not len(met):
         return walk
-    weight = (size / np.bincount(line)[line])[met]
+    weight = np.maximum(size / np.bincount(line)[line], _STEP)[met]
     line, share, found = line[met], share[met], found[met]
     here = walk.begin[line] + share * (walk.finish - walk.begin)[line]
     ahead = ((new.places[met] - old[found]) * past.along[found].conj()).real
@@ -221,36 +218,119 @@ def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
     return z
 
 
+def _sampled(drawn: Drawn, camera: Camera) -> tuple[Indices, Doubles, _Samples]:
+    """(N,) the line of each sample of a frame, (N,) how far along that in the window, 0..1, and
+    the samples. Places in the window are those of the points, to the last bit: a line in
+    perspective does not go by evenly."""
+    line, share = _samples(drawn.walk)
+    begin, step = drawn.a[line], (drawn.b - drawn.a)[line]
+    points = begin + share[:, None] * step
+    with np.errstate(all="ignore"):
+        found = window(points, camera)
+        places = found[:, 0] + 1j * found[:, 1]
+        z0, z1 = drawn.walk.places
+        way = (z1 - z0)[line]
+        share = ((places - z0[line]) * way.conj()).real / np.abs(way) ** 2
+        good = np.flatnonzero((share >= 0.0) & (share <= 1.0))  # not what clip planes cut off
+    line, way = line[good], way[good]
+    samples = _Samples(points[good], places[good], way / np.abs(way), drawn.group[line])
+    return line, share[good], samples
+
+
 def _samples(walk: Walk) -> tuple[Indices, Doubles]:
-    """Of lines with a pattern, (N,) the line of each sample and (N,) how far along, 0..1."""
-    size = np.abs(walk.places[1] - walk.places[0])
-    size = np.where((walk.stroke >= 0) & np.isfinite(size), size, 0.0)
-    counts = np.ceil(np.minimum(size / _STEP, _MOST_SAMPLES)).astype(np.intp)
-    line = np.repeat(np.arange(len(size)), counts)
-    first = np.repeat(np.cumsum(counts) - counts, counts)
-    return line, (np.arange(len(line)) - first + 0.5) / counts[line]
+    """(N,) the line of each sample and (N,) how far along, 0..1: every `_STEP` pixels of a stroke,
+    however short its lines are."""
+    on = np.flatnonzero(walk.stroke >= 0)
+    low = np.minimum(walk.begin, walk.finish)[on]
+    order = on[np.lexsort((low, walk.stroke[on]))]
+    size = np.abs(walk.places[1] - walk.places[0])[order]
+    size = np.where(np.isfinite(size), size, 0.0)
+    total = np.cumsum(size)
+    stroke = walk.stroke[order]
+    first = np.flatnonzero(np.append(True, stroke[1:] != stroke[:-1])) if len(order) else order
+    lengths = np.diff(first, append=len(order))
+    along = total - size - np.repeat((total - size)[first], lengths)
+    begins, ends = (np.floor(place / _STEP + 0.5) for place in (along, along + size))
+    counts = np.minimum(ends - begins, _MOST_SAMPLES).astype(np.intp)
+    which = np.repeat(np.arange(len(order)), counts)
+    number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+    share = ((begins[which] + number + 0.5) * _STEP - along[which]) / np.maximum(size[which], 1e-9)
+    crowded = (ends - begins)[which] > _MOST_SAMPLES
+    share = np.where(crowded, (number + 0.5) / _MOST_SAMPLES, np.clip(share, 0.0, 1.0))
+    line = order[which]
+    return line, np.where(walk.begin[line] <= walk.finish[line], share, 1.0 - share)
 
 
 def _now(
-    past: Past, objects: tuple[tuple[Hashable, Doubles], ...], camera: Camera
+    past: Past, objects: Objects, camera: Camera
 ) -> tuple[Doubles, Places]:
     """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
     window; NaN where that is not known."""
-    by_name = dict(objects)
-    points = np.full(past.points.shape, np.nan)
-    for number, (name, before) in enumerate(zip(past.names, past.modelviews, strict=True)):
-        after = by_name.get(name)
-        some = past.owner == number
-        if after is None or not some.any():
-            continue
+    before = tuple(zip(past.names, past.modelviews, strict=True))
+    motions = np.full((len(before), 4, 4), np.nan)
+    for old, new in paired(before, objects).items():
         try:
-            motion = after @ np.linalg.inv(before)
+            motions[old] = objects[new][1] @ np.linalg.inv(before[old][1])
         except np.linalg.LinAlgError:
-            motion = np.eye(4)
-        points[some] = past.points[some] @ motion[:3, :3].T + motion[:3, 3]
+            motions[old] = np.eye(4)
     with np.errstate(all="ignore"):
+        motion = motions[past.owner]
+        points = np.einsum("nij,nj->ni", motion[:, :3, :3], past.points) + motion[:, :3, 3]
         found = window(points, camera)
     return points, np.asarray(found[:, 0] + 1j * found[:, 1])
+
+
+def paired(before: Objects, now: Objects) -> dict[int, int]:
+    """For objects of a frame, by number, which of the next frame they are: of those of one name
+    the nearest. Those whose names are new go on from those whose names are gone, in their order:
+    a surface that is made anew in each frame has no lasting connectivity."""
+    found: dict[int, int] = {}
+    by_name: dict[Hashable, tuple[list[int], list[int]]] = {}
+    for k, objects in enumerate((before, now)):
+        for number, (name, _) in enumerate(objects):
+            by_name.setdefault(name, ([], []))[k].append(number)
+    for old, new in by_name.values():
+        found.update(_nearest_poses(old, new, before, now))
+    gone = [number for old, new in by_name.values() if not new for number in old]
+    fresh = [number for old, new in by_name.values() if not old for number in new]
+    found.update(zip(sorted(gone), sorted(fresh), strict=False))
+    return found
+
+
+def _nearest_poses(
+    old: list[int], new: list[int], before: Objects, now: Objects
+) -> Iterable[tuple[int, int]]:
+    """Pairs of objects of one name, the most alike poses first."""
+    if len(old) == len(new) == 1 or max(len(old), len(new)) > _MOST_ALIKE:
+        return zip(old, new, strict=False)
+    one, other = (
+        np.array([objects[number][1][:3].ravel() for number in numbers]).reshape(-1, 12)
+        for numbers, objects in ((old, before), (new, now))
+    )
+    away = np.nan_to_num(((one[:, None] - other[None]) ** 2).sum(axis=2), nan=np.inf)
+    pairs: list[tuple[int, int]] = []
+    free = np.ones(away.shape, np.bool_)
+    for place in np.argsort(away, axis=None, kind="stable").tolist():
+        i, j = divmod(place, len(new))
+        if free[i, j]:
+            pairs.append((old[i], new[j]))
+            free[i], free[:, j] = False, False
+    return pairs
+
+
+def latest(pasts: tuple[Past, ...], names: Sequence[Hashable]) -> Past | None:
+    """Of several pasts of a view, the latest first, the one that shows most of some objects: an
+    app may draw several layers in one viewport."""
+    known = set(names)
+    return max(pasts, key=lambda past: len(known.intersection(past.names)), default=None)
+
+
+def kept_with(past: Past, pasts: tuple[Past, ...], before: Past | None) -> tuple[Past, ...]:
+    """The pasts of a view with a new one, which takes the place of the one that it went on from
+    if they have objects in common."""
+    went_on = before is not None and not set(before.names).isdisjoint(past.names)
+    others = tuple(one for one in pasts if not (went_on and one is before))
+    return (past, *others)[:_MOST_PASTS]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

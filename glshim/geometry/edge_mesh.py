@@ -12,14 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.geometry.folds import FLAT
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.vectors import dot, unit
 
 Ints = NDArray[np.int32]
 CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY = 1, 2, 4, 8, 16
 """Bits of `features`."""
-_FLAT = 2e-3
-"""Sine of the angle between two parts of a polygon under which their common side is no edge."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,7 +43,7 @@ def edge_mesh(mesh: Mesh) -> EdgeMesh:
     """The edge mesh of a mesh: all true edges, and those inside of polygons that are not flat."""
     a, b = mesh.faces.T
     normals = mesh.normals
-    bent = np.linalg.norm(np.cross(normals[a], normals[np.where(b < 0, a, b)]), axis=1) > _FLAT
+    bent = np.linalg.norm(np.cross(normals[a], normals[np.where(b < 0, a, b)]), axis=1) > FLAT
     rows = np.flatnonzero(mesh.true | bent).astype(np.int32)
     indices = _indices(mesh, rows)
     marked = mesh.marked[rows]

@@ -7,7 +7,7 @@ of the GPU. Here only the edges that are features go on, in the records that eve
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, measure
 from glshim.geometry.coherence import Drawn, Past, follow, keep
-from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh
-from glshim.geometry.edges import dihedral
+from glshim.geometry.folds import FLAT, Folds, Topology
 from glshim.geometry.lines import (
     BOUNDARY,
     CONTOUR,
@@ -37,11 +36,22 @@ from glshim.geometry.lines import (
 )
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.smooth_lines import SmoothPieces
-from glshim.geometry.vectors import Doubles, unit
+from glshim.geometry.vectors import Doubles, dot, unit
 
 Floats = NDArray[np.float32]
 Flags = NDArray[np.bool_]
 Rows = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Decided:
+    """Edges that are features, by row of the mesh's edges."""
+
+    contours: Rows
+    ridges: Rows
+    valleys: Rows
+    marked: Rows
+    boundary: Rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,131 +79,137 @@ class Features:
 class EdgeLines:
     """What of a mesh's edges does not depend on the viewer."""
 
-    def __init__(self, mesh: Mesh) -> None:
-        self.mesh = mesh
-        self.edges: EdgeMesh = edge_mesh(mesh)
-        rows = self.edges.rows
-        self.a, b = mesh.faces[rows].T.astype(np.intp)
-        self.open = b < 0
-        """(E,) boundary edges."""
-        self.b = np.where(self.open, self.a, b)
-        v0, _, v2, v3 = self.edges.indices.T
-        self.ends = mesh.edges[rows]
-        self.inner = v2 < 0
-        self.marked = (v3 == self.ends[:, 1]) & ~self.open
-        self.plain = ~self.open & ~self.marked
-        self.single_sided = v0 >= 0
-        """(E,) the component is closed: only the side that the app calls front may be seen."""
-        self.twisted = mesh.twisted[rows]
+    def __init__(self, mesh: Mesh, topology: Topology | None = None) -> None:
+        """topology: of a mesh that this one is `Mesh.moved` from. The mesh itself is not held."""
+        self.topology = topology or Topology(mesh)
+        self.positions = mesh.positions
+        self.normals: Doubles = mesh.normals
+        self._spaces: dict[bool, Folds] = {}
 
     @cached_property
     def planes(self) -> Doubles:
         """(T, 4) the unit normal of each triangle, minus its product with a corner."""
-        corner = self.mesh.positions[self.mesh.triangles[:, 0]].astype(np.float64)
-        normals: Doubles = self.mesh.normals
-        return np.asarray(np.c_[normals, -np.einsum("ti,ti->t", normals, corner)])
-
-    @cached_property
-    def folds(self) -> Doubles:
-        """(E,) `dihedral` angles from the winding side of A, object space."""
-        return self.folds_in(None)
-
-    @cached_property
-    def sharp(self) -> Flags:
-        """(E,) folds at which no smooth surface goes on."""
-        return np.asarray(np.abs(self.folds - np.pi) >= np.pi - SHARP)
+        corner = self.positions[self.topology.triangles[:, 0]].astype(np.float64)
+        return np.asarray(np.c_[self.normals, -dot(self.normals, corner)])
 
     @cached_property
     def pieces(self) -> SmoothPieces:
         """The mesh cut open at its creases."""
-        creases = np.zeros(len(self.mesh.edges), np.bool_)
-        creases[self.edges.rows] = self.sharp
-        return SmoothPieces(self.mesh, creases)
+        return SmoothPieces(self.topology, self.positions, self.normals, self.folds(None))
 
-    def folds_in(self, linear: Doubles | None) -> Doubles:
-        """The same in the space that a linear part (3, 3) leads to."""
-        along = self.mesh.positions[self.ends].astype(np.float64)
-        along = along[:, 1] - along[:, 0]
-        one, other = self.mesh.normals[self.a], self.mesh.normals[self.b]
-        other = np.where(self.twisted[:, None], -other, other)
-        if linear is not None:
-            turn = cofactors(linear)
-            one, other, along = unit(one @ turn.T), unit(other @ turn.T), along @ linear.T
-        return dihedral(along, one, other)
+    def folds(self, linear: Doubles | None) -> Folds:
+        """The dihedral angles in object space, or in the space that a linear part (3, 3) leads
+        to, which are kept: objects that only turn keep their angles."""
+        skewed = linear is not None
+        known = self._spaces.get(skewed)
+        if known is None or not known.holds(linear):
+            known = self._spaces[skewed] = Folds(
+                self.topology, self.positions, self.normals, linear
+            )
+        return known
+
+    def decided(self, modelview: Doubles, camera: Camera, wanted: Features) -> Decided:
+        """Which edges are features as a camera sees them, of an object under a modelview."""
+        return self._seen(modelview, camera).decided(wanted)
 
     def found(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
         """(L, 18) records of the features as a camera sees them, of an object under a modelview.
         Outlines do not know yet where they go on."""
-        seen = _Seen(self, modelview, camera)
+        seen = self._seen(modelview, camera)
+        edges = seen.decided(wanted)
         pieces = []
-        contours = self.plain & (seen.ccw_a != seen.ccw_b)
         if wanted.contours:
-            rows = np.flatnonzero(contours)
-            folds = self.folds[rows]
-            if wanted.smooth:
-                rows = rows[self.sharp[rows]]
-                folds = self.folds[rows]
-                pieces.append(self.pieces.contours(modelview, camera))
-            shape = np.select([folds <= SHARP, folds <= np.pi], [RING, CONTOUR], HOLLOW)
-            pieces.append(seen.records(rows, shape, outline=True))
-        creases = self.plain & ~contours & ~self.inner
-        for angle, kind in ((wanted.ridge_angle, RIDGE), (wanted.valley_angle, VALLEY)):
-            if angle is not None:
-                apt = seen.folds < angle if kind == RIDGE else seen.folds > angle
-                pieces.append(seen.records(np.flatnonzero(creases & apt), kind))
-        if wanted.marked:
-            rows = np.flatnonzero(self.marked)
-            pieces.append(seen.records(rows, RIDGE + GROUP * (MARKED - 3)))
-        if wanted.boundary:
-            rows = np.flatnonzero(self.open)
-            pieces.append(seen.records(rows, FIN + GROUP * (BOUNDARY - 3), outline=True))
+            smooth = self.pieces.contours(modelview, camera) if wanted.smooth else None
+            if smooth is None:
+                rows = edges.contours
+                angles = self.folds(None).dihedral(rows)
+                shape = np.select([angles <= SHARP, angles <= np.pi], [RING, CONTOUR], HOLLOW)
+                smooth = seen.records(rows, shape, outline=True)
+            pieces.append(smooth)
+        pieces.append(seen.records(edges.ridges, RIDGE))
+        pieces.append(seen.records(edges.valleys, VALLEY))
+        pieces.append(seen.records(edges.marked, RIDGE + GROUP * (MARKED - 3)))
+        pieces.append(seen.records(edges.boundary, FIN + GROUP * (BOUNDARY - 3), outline=True))
         if wanted.suggestive:
-            pieces.append(self.pieces.suggestive(modelview, camera))
-        return np.concatenate(pieces) if pieces else np.empty((0, RECORD), np.float32)
+            suggestive = self.pieces.suggestive(modelview, camera)
+            pieces += [] if suggestive is None else [suggestive]
+        return np.concatenate(pieces)
+
+    def _seen(self, modelview: Doubles, camera: Camera) -> _Seen:
+        return _Seen(self, camera.under(modelview))
 
 
 class _Seen:
-    """Edges as a camera sees them."""
+    """Edges as a camera sees them; its modelview is theirs."""
 
-    def __init__(self, lines: EdgeLines, modelview: Doubles, camera: Camera) -> None:
-        self._lines = lines
-        placed = camera.under(modelview)
-        self._camera = placed
-        self._ccw: Flags = lines.planes @ placed.object_centre > 0.0
-        self.ccw_a: Flags = self._ccw[lines.a]
-        self.ccw_b: Flags = self._ccw[lines.b] != lines.twisted
-        """(E,) whether A, and B if it wound as A does, winds counter-clockwise in the window."""
+    def __init__(self, lines: EdgeLines, camera: Camera) -> None:
+        self._lines, self._camera = lines, camera
+        self._ccw: Flags = lines.planes @ camera.object_centre > 0.0
+        topology = lines.topology
+        self.ccw_a: Flags = self._ccw[topology.a]
+        """(E,) whether A winds counter-clockwise in the window."""
+        self._apart: Flags = self.ccw_a != self._ccw[topology.b]
+        self._apart ^= topology.twisted
+        self._apart &= topology.plain
 
-    @property
-    def folds(self) -> Doubles:
-        """(E,) dihedral angles from the side that the app calls front, or in open components from
-        the side that is seen. Eye space."""
-        lines, camera = self._lines, self._camera
+    def decided(self, wanted: Features) -> Decided:
+        """Equation 1."""
+        topology = self._lines.topology
+        none = np.empty(0, np.intp)
+        return Decided(
+            self._contours() if wanted.contours else none,
+            self._creases(wanted.ridge_angle, RIDGE),
+            self._creases(wanted.valley_angle, VALLEY),
+            topology.marked_rows if wanted.marked else none,
+            topology.open_rows if wanted.boundary else none,
+        )
+
+    def _contours(self) -> Rows:
+        """(N,) edges between triangles of unlike facing; of the sides inside polygons those at
+        which these are bent."""
+        rows = np.flatnonzero(self._apart)
+        inner = np.flatnonzero(self._lines.topology.inner[rows])
+        if not len(inner):
+            return rows
+        flat = self._lines.folds(None).sine(rows[inner]) <= FLAT
+        return np.delete(rows, inner[flat])
+
+    def _creases(self, angle: float | None, kind: int) -> Rows:
+        """(N,) edges that fold by less, or by more, than an angle, from the side that the app
+        calls front, or in open components from the side that is seen. Eye space."""
+        if angle is None:
+            return np.empty(0, np.intp)
+        camera, topology = self._camera, self._lines.topology
         if are_similarities(camera.modelview[None])[0]:
-            folds, mirrored = lines.folds, camera.mirrored
+            folds, mirrored = self._lines.folds(None), camera.mirrored
         else:
-            folds = lines.folds_in(camera.modelview[:3, :3])
+            folds = self._lines.folds(camera.modelview[:3, :3])
             mirrored = float(np.linalg.det(camera.projection)) > 0.0
-        ahead = np.where(lines.single_sided, camera.front_ccw, self.ccw_a) != mirrored
-        return np.where(ahead, folds, 2.0 * np.pi - folds)
+        rows, angles = folds.beyond(angle - np.pi if kind == VALLEY else np.pi - angle)
+        ahead = np.where(topology.single_sided[rows], camera.front_ccw, self.ccw_a[rows])
+        angles = np.where(ahead != mirrored, angles, 2.0 * np.pi - angles)
+        apt = angles < angle if kind == RIDGE else angles > angle
+        return rows[apt & ~self._apart[rows]]
 
     def records(self, rows: Rows, kind: int | Rows, *, outline: bool = False) -> Floats:
         """Records of edges; of an outline with the normal of its back-facing triangle."""
         lines, modelview = self._lines, self._camera.modelview
+        topology = lines.topology
         found = np.zeros((len(rows), RECORD), np.float32)
-        ends = lines.mesh.positions[lines.ends[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
+        ends = lines.positions[topology.edges[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
         turned = ~self.ccw_a[rows]
         ends[turned] = ends[turned, ::-1]
-        found[:, 0:6] = ends.reshape(-1, 6)
-        found[:, 6:9] = ends[:, 1]
-        a, b = lines.a[rows], lines.b[rows]
+        with np.errstate(over="ignore"):
+            found[:, 0:6] = ends.reshape(-1, 6)
+            found[:, 6:9] = ends[:, 1]
+        a, b = topology.a[rows], topology.b[rows]
         own = np.where(self._ccw[a] == self._camera.front_ccw, b, a) if outline else a
         turn = cofactors(modelview)
-        normals = unit(lines.mesh.normals[own] @ turn.T)
+        normals = unit(lines.normals[own] @ turn.T)
         normals[~self._ccw[own]] *= -1.0
         found[:, 9:12] = normals
         if not outline:
-            found[:, 12:15] = unit(lines.mesh.normals[b] @ turn.T)
+            found[:, 12:15] = unit(lines.normals[b] @ turn.T)
         found[:, 15] = kind
         return found
 
@@ -207,7 +223,7 @@ def feature_lines(
     """(L, 18) float32 records of the features of objects, each under its modelview (4, 4), eye
     space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
     patterns follow; past is what the frame before gave."""
-    found = [lines.found(modelview, camera, wanted) for lines, modelview in objects]
+    found = [_sound(lines.found(modelview, camera, wanted)) for lines, modelview in objects]
     whole = np.concatenate(found) if found else np.empty((0, RECORD), np.float32)
     run_on(whole)
     if wanted.pattern is None:
@@ -215,11 +231,23 @@ def feature_lines(
     group = group_of(whole)
     walk = measure(whole[:, 0:3], whole[:, 3:6], group, camera, wanted.pattern)
     owner = np.repeat(np.arange(len(found)), [len(part) for part in found])
-    named = tuple((number, modelview) for number, (_, modelview) in enumerate(objects))
+    named = names_of(objects)
     a, b = (whole[:, at : at + 3].astype(np.float64) for at in (0, 3))
-    drawn = Drawn(walk, a, b, group, owner, named)
+    placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
+    drawn = Drawn(walk, a, b, group, owner, placed)
     if past is not None:
         drawn = replace(drawn, walk=follow(drawn, camera, past))
     turns = np.floor(drawn.walk.begin)
     whole[:, 16], whole[:, 17] = drawn.walk.begin - turns, drawn.walk.finish - turns
-    return whole, keep(drawn)
+    return whole, keep(drawn, camera)
+
+
+def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:
+    """What objects are: their connectivity, which stays when they move."""
+    return tuple(lines.topology.name for lines, _ in objects)
+
+
+def _sound(records: Floats) -> Floats:
+    """Those that float32 can hold."""
+    finite = np.isfinite(records).all(axis=1)
+    return records if finite.all() else records[finite]

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
-from glshim.geometry.coherence import Past
+from glshim.geometry.coherence import Past, kept_with, latest
 from glshim.geometry.edges import Edges, edges, edges_of_each, join
-from glshim.geometry.feature_lines import Features, feature_lines
+from glshim.geometry.feature_lines import Features, feature_lines, names_of
 from glshim.geometry.gather import Places, together
 from glshim.geometry.lines import lines
 from glshim.render.objects import Objects
@@ -27,7 +27,7 @@ class Harvest:
     def __init__(self, cache_bytes: int) -> None:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self.objects = Objects(cache_bytes)
-        self._past: AgingCache[Past] = AgingCache(cache_bytes // 16, longest_rest=8)
+        self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
 
     def tick(self) -> None:
@@ -58,10 +58,15 @@ class Harvest:
         items = [(draw.batch, draw.camera.modelview) for draw in group]
         placed = self.objects.placed(items, wanted.tolerance)
         camera = group[0].camera
-        view = (wanted, camera.viewport)
-        found, past = feature_lines(placed, camera, wanted, self._past.get(view))
+        if wanted.pattern is None:
+            return feature_lines(placed, camera, wanted)[0]
+        view, names = (wanted, camera.viewport), names_of(placed)
+        pasts = self._past.get(view) or ()
+        before = latest(pasts, names)
+        found, past = feature_lines(placed, camera, wanted, before)
         if past is not None:
-            self._past.put(view, past, past.nbytes)
+            pasts = kept_with(past, pasts, before)
+            self._past.put(view, pasts, sum(one.nbytes for one in pasts))
         return found
 
     def _edges(self, batch: PolygonBatch) -> Edges:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakValueDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edges import join
 from glshim.geometry.feature_lines import EdgeLines
+from glshim.geometry.folds import Topology
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
 
@@ -24,6 +25,7 @@ class Objects:
         self._meshes: dict[float, Meshes] = {}
         self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
         self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
+        self._topologies: WeakValueDictionary[int, Topology] = WeakValueDictionary()
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -53,7 +55,10 @@ class Objects:
         mesh = self.mesh(batches, tolerance)
         found = self._lines.get(mesh)
         if found is None:
-            found = self._lines[mesh] = EdgeLines(mesh)
+            # A mesh that moved keeps its array of triangles (`Mesh.moved`), which a topology holds.
+            known = self._topologies.get(id(mesh.triangles))
+            found = self._lines[mesh] = EdgeLines(mesh, topology=known)
+            self._topologies[id(mesh.triangles)] = found.topology
         return found
 
     def placed(

@@ -30,6 +30,7 @@ def _arguments(given: list[str]) -> argparse.Namespace:
     parser.add_argument("--only", action="append", choices=sorted(meshes.MESHES), metavar="MESH",
                         help=f"one of {', '.join(meshes.MESHES)}")  # fmt: skip
     parser.add_argument("--width", type=float, help="of every line in pixels; else the defaults")
+    parser.add_argument("--style", choices=views.STYLES, default="raskar", help="what draws")
     parser.add_argument("--out", type=Path, metavar="DIR", help="pictures of truth and errors")
     parser.add_argument("--write", type=Path, metavar="FILE", help="the table as Markdown")
     parser.add_argument("--check", action="store_true", help=f"fail below {LIMIT} or on a dot")
@@ -52,7 +53,10 @@ def main(given: list[str]) -> int:
         backend = Backend.attach()
         for name, batch in batches.items():
             tallies: dict[str, views.Tally] = {}
-            for view in views.look_at_views(backend, batch, args.views, args.width, args.view):
+            seen = views.look_at_views(
+                backend, batch, args.views, width=args.width, only=args.view, name=args.style
+            )
+            for view in seen:
                 for kind, verdict in view.verdicts.items():
                     tallies.setdefault(kind, views.Tally()).add(view.number, verdict)
                 if args.out:

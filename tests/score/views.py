@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 from OpenGL import GL
@@ -12,6 +12,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
+from stylers.edge_mesh import EdgeMesh
 from stylers.raskar import Raskar
 from tests import look
 from tests.score import truth
@@ -22,6 +23,12 @@ SIZE = 480
 _OPTIONS = frozenset(f.name for f in fields(Raskar))
 KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
 """The kinds of line that the style can draw."""
+_OF_EDGE_MESH = {
+    "silhouettes": ("contours", "boundary"), "ridges": ("ridges",), "valleys": ("valleys",)
+}  # fmt: skip
+"""Options of style edge_mesh by the kinds of line of raskar."""
+KINDS_OF_EDGE_MESH = ("contours", "boundary", "ridges", "valleys")
+STYLES = ("raskar", "edge_mesh")
 _ANGLES = {"ridge_angle": 120.0, "valley_angle": 240.0}
 
 
@@ -100,8 +107,18 @@ def camera_path(count=24) -> list[Camera]:
     ]
 
 
-def style(kinds, width: float | None = None) -> Raskar:
-    """Style raskar with lines of these kinds only; width in pixels for all of them."""
+def kinds_of(name: str) -> tuple[str, ...]:
+    """The kinds of line that a style draws."""
+    return KINDS if name == "raskar" else tuple(k for k in KINDS if k in _OF_EDGE_MESH)
+
+
+def style(kinds, width: float | None = None, name="raskar") -> Raskar | EdgeMesh:
+    """A style with lines of these kinds only; width in pixels for all of them."""
+    if name == "edge_mesh":
+        found = EdgeMesh(**{kind: False for kind in KINDS_OF_EDGE_MESH}, **_ANGLES)
+        own = [option for kind in kinds for option in _OF_EDGE_MESH[kind]]
+        widths = {f"{kind.removesuffix('s')}_width": width for kind in KINDS_OF_EDGE_MESH if width}
+        return replace(found, **dict.fromkeys(own, True), **widths)
     options: dict = {kind: kind in kinds for kind in KINDS}
     options |= {name: value for name, value in _ANGLES.items() if name in _OPTIONS}
     if width is not None:
@@ -109,7 +126,9 @@ def style(kinds, width: float | None = None) -> Raskar:
     return Raskar(**options)
 
 
-def width_option(kind: str) -> str:
+def width_option(kind: str, name="raskar") -> str:
+    if name == "edge_mesh":
+        kind = _OF_EDGE_MESH[kind][0]
     return kind.removesuffix("s") + "_width"
 
 
@@ -121,9 +140,11 @@ def visible(mesh: truth.Body, camera: Camera) -> dict[str, Places]:
 
 
 def look_at_views(
-    backend: Backend, batch: PolygonBatch, count=24, width=None, only=None
+    backend: Backend, batch: PolygonBatch, count=24, *, width=None, only=None, name="raskar"
 ) -> Iterator[View]:
-    """Views of a mesh, drawn and judged; a window of SIZE is current. only: view numbers."""
+    """Views of a mesh, drawn and judged; a window of SIZE is current. only: view numbers.
+    name: of the style."""
+    kinds_drawn = kinds_of(name)
     mesh = truth.body(batch)
     for number, camera in enumerate(camera_path(count)):
         if only is not None and number not in only:
@@ -133,15 +154,16 @@ def look_at_views(
         look.draw_base(batch, camera)
         before = look.pixels(SIZE, SIZE)
         after, verdicts = {}, {}
-        for name, kinds in [*((kind, (kind,)) for kind in KINDS), ("all", KINDS)]:
-            chosen = style(kinds, width)
+        alone = [(kind, (kind,)) for kind in kinds_drawn]
+        for what, kinds in [*alone, ("all", kinds_drawn)]:
+            chosen = style(kinds, width, name)
             look.clear()
             look.draw_base(batch, camera)
             backend.render(chosen.draws(Layer(((batch, camera),))))
             GL.glFinish()
-            after[name] = look.pixels(SIZE, SIZE)
-            widths = [(true[kind], getattr(chosen, width_option(kind))) for kind in kinds]
-            verdicts[name] = judge(inked(before, after[name]), widths)
+            after[what] = look.pixels(SIZE, SIZE)
+            widths = [(true[kind], getattr(chosen, width_option(kind, name))) for kind in kinds]
+            verdicts[what] = judge(inked(before, after[what]), widths)
         yield View(number, camera, before, after, true, verdicts)
 
 
