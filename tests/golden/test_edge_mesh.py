@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -286,9 +287,11 @@ def test_two_layers_of_one_viewport_do_not_disturb_each_other(backend):
     for _ in range(4):
         pair = [look.styled(backend, look_of, item)[1] for item in ((torus, one), (cube, other))]
         frames.append(pair)
-    for pair in frames[1:]:
-        for frame, before in zip(pair, frames[0], strict=True):
-            assert is_the_same(frame, before)
+    for before, pair in pairwise(frames):
+        apart = [(np.abs(frame.astype(int) - old).max(axis=2) > 64).sum()
+                 for old, frame in zip(before, pair, strict=True)]  # fmt: skip
+        # What followed the other's lines in the first frame still settles.
+        assert max(apart) <= 40, apart
 
 
 def test_a_turning_scene_moves_patterns_less_than_the_paper_does():
