@@ -3,8 +3,8 @@
 ``python -m tests.coherence`` turns the teapot and prints, for the paper's two parameterisations
 (McGuire & Hughes 2004, section 4), for arc length along chains, and for arc length that follows the
 frame before: the mean over all points of all contours of the pixels by which the pattern has moved
-against the nearest point of a contour in the frame before. A pattern that has nothing to do with the
-last one moves a quarter of its length.
+against the nearest point of a contour in the frame before. A pattern that has nothing to do with
+the last one moves a quarter of its length.
 """
 
 from __future__ import annotations

@@ -237,6 +237,17 @@ def test_smooth_contours_go_on_at_creases_and_close(make):
         assert away.max() < 0.5
 
 
+def test_smooth_contours_behind_a_wall_stay_behind(backend):
+    """They come nearer by a polygon's width, and a long cylinder's polygons are narrow."""
+    view = camera(look.look_at((0, -6, 0.5), up=(0, 0, 1)))
+    wall = look.batch([(-1.2, -1.1, -1.4), (1.2, -1.1, -1.4), (1.2, -1.1, 1.4), (-1.2, -1.1, 1.4)],
+                      [[0, 1, 2, 3]])  # fmt: skip
+    items = ((look.cylinder(24), view), (wall, view))
+    only = OFF | {"contours": True}
+    assert drawn(backend, EdgeMesh(**only, smooth=True), *items).sum() == 0.0
+    assert drawn(backend, EdgeMesh(**only, smooth=True), items[0]).sum() > 500
+
+
 def test_suggestive_contours_lie_on_front_faces_and_stay_inside(backend):
     points, triangles = surfaces.blob(4)
     made = triangles_of(points, triangles)
