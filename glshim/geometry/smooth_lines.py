@@ -134,7 +134,7 @@ class SmoothPieces:
         own = np.where(first == view.front_ccw, at.b[rows], at.a[rows])
         ends = self._folds.ends(rows)
         ends = ends[:, :1] + along[:, :, None] * (ends[:, 1:] - ends[:, :1])
-        lift = mix(self.lift[flanks[which]].max(axis=1).astype(np.float64), along)
+        lift = mix(self.lift[flanks[which]].min(axis=1).astype(np.float64), along)
         # Where A faces away it lies at the right of the edge in the window.
         back = first == view.mirrored
         ends[back], lift[back] = ends[back, ::-1], lift[back, ::-1]

@@ -15,6 +15,7 @@ from glshim.geometry.feature_lines import EdgeLines
 from glshim.geometry.folds import Topology
 from glshim.geometry.mesh import Mesh
 from glshim.geometry.meshes import Meshes
+from glshim.notices import say_once
 
 
 class Objects:
@@ -26,6 +27,7 @@ class Objects:
         self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
         self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
         self._topologies: WeakValueDictionary[int, Topology] = WeakValueDictionary()
+        self._reported = False
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -38,7 +40,15 @@ class Objects:
         tolerance, object units."""
         if tolerance not in self._meshes:
             self._meshes[tolerance] = Meshes(tolerance, self._most_bytes)
-        meshes = self._meshes[tolerance]
+        found = self._found(batches, self._meshes[tolerance], tolerance)
+        if not self._reported and (found.turned.any() or found.twisted.any()):
+            self._reported = True
+            say_once(f"a mesh winds its polygons both ways, they are taken as one: {found.report}")
+        return found
+
+    def _found(
+        self, batches: Sequence[PolygonBatch], meshes: Meshes, tolerance: float
+    ) -> Mesh:
         if len(batches) == 1:
             return meshes.find(batches[0])
         keys: tuple[Hashable, ...] = tuple(batch.key for batch in batches)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -236,6 +237,17 @@ def test_smooth_contours_go_on_at_creases_and_close(make):
         assert away.max() < 0.5
 
 
+def test_smooth_contours_behind_a_wall_stay_behind(backend):
+    """They come nearer by a polygon's width, and a long cylinder's polygons are narrow."""
+    view = camera(look.look_at((0, -6, 0.5), up=(0, 0, 1)))
+    wall = look.batch([(-1.2, -1.1, -1.4), (1.2, -1.1, -1.4), (1.2, -1.1, 1.4), (-1.2, -1.1, 1.4)],
+                      [[0, 1, 2, 3]])  # fmt: skip
+    items = ((look.cylinder(24), view), (wall, view))
+    only = OFF | {"contours": True}
+    assert drawn(backend, EdgeMesh(**only, smooth=True), *items).sum() == 0.0
+    assert drawn(backend, EdgeMesh(**only, smooth=True), items[0]).sum() > 500
+
+
 def test_suggestive_contours_lie_on_front_faces_and_stay_inside(backend):
     points, triangles = surfaces.blob(4)
     made = triangles_of(points, triangles)
@@ -286,9 +298,11 @@ def test_two_layers_of_one_viewport_do_not_disturb_each_other(backend):
     for _ in range(4):
         pair = [look.styled(backend, look_of, item)[1] for item in ((torus, one), (cube, other))]
         frames.append(pair)
-    for pair in frames[1:]:
-        for frame, before in zip(pair, frames[0], strict=True):
-            assert is_the_same(frame, before)
+    for before, pair in pairwise(frames):
+        apart = [(np.abs(frame.astype(int) - old).max(axis=2) > 64).sum()
+                 for old, frame in zip(before, pair, strict=True)]  # fmt: skip
+        # What followed the other's lines in the first frame still settles.
+        assert max(apart) <= 40, apart
 
 
 def test_a_turning_scene_moves_patterns_less_than_the_paper_does():
