@@ -21,6 +21,7 @@ from glshim.geometry.edge_mesh import features
 from glshim.render.backend import Backend
 from glshim.render.depth import DepthCopy
 from glshim.render.guard import Guard
+from glshim.render.objects import Objects
 from glshim.render.passes import Runner, seen_from
 from glshim.styling.passes import Body, MeshShader, Pass
 from tests import look
@@ -62,7 +63,7 @@ def runner() -> Runner:
     """In the current context."""
     backend = Backend.attach()
     with Guard():
-        return Runner(backend.pen.context, 1 << 28)  # type: ignore[union-attr]
+        return Runner(backend.pen.context, Objects(1 << 28), 1 << 28)  # type: ignore[union-attr]
 
 
 def cameras(count: int = VIEWS) -> list[Camera]:
