@@ -72,10 +72,11 @@ class Pipeline:
 
     def layer_ends(self, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the backend adds it."""
+        over, fresh = scene.layer.over, scene.layer.fresh
         items = scene.layer.take()
         if not items:
             return
-        draws = list(self.styler.draws(Layer(items, light())))
+        draws = list(self.styler.draws(Layer(items, light(), over, fresh)))
         if not draws:
             return
         try:

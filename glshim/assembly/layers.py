@@ -82,6 +82,10 @@ class LayerCollector:
         self._batches: list[Item] = []
         self._last: DrawState | None = None
         self._deep: set[Rectangle] = set()
+        self.over = False
+        """An earlier layer of the frame lies below the one that is gathered."""
+        self.fresh = True
+        """The depth buffer held nothing when it began."""
 
     @property
     def pending(self) -> bool:
@@ -113,8 +117,14 @@ class LayerCollector:
         return state.flat and any(_overlap(state, viewport) for viewport in self._deep)
 
     def forget_depth(self) -> None:
-        """The depth buffer was cleared or the frame ended: nothing is a HUD yet."""
+        """The depth buffer was cleared: nothing is a HUD yet."""
         self._deep.clear()
+        self.fresh = True
+
+    def end_frame(self) -> None:
+        """What is drawn now is another picture."""
+        self.forget_depth()
+        self.over = False
 
     def add_primitive(self, state: DrawState, mode: int, stream: bytes) -> None:
         """A recorded primitive drawn in this state."""
@@ -145,5 +155,6 @@ class LayerCollector:
         ]
         items.extend((self._content.of_batch(batch), camera) for batch, camera in self._batches)
         self._primitives, self._batches, self._last = {}, [], None
+        self.over, self.fresh = self.over or bool(items), self.fresh and not items
         self._content.tick()
         return tuple(item for item in items if len(item[0].corners))

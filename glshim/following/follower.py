@@ -360,7 +360,7 @@ class Follower:
         self.finish_layer()
         scene = self._scenes.current()
         if scene is not None:
-            scene.layer.forget_depth()
+            scene.layer.end_frame()
             scene.tick()
 
     def flush(self, call: Callable[[], Any]) -> Any:

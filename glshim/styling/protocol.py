@@ -208,6 +208,10 @@ class Layer:
     """The batches in the order of drawing, each with the camera that it was drawn with."""
     light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
     """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0."""
+    over: bool = False
+    """An earlier layer of the frame lies below."""
+    fresh: bool = True
+    """The depth buffer holds this layer's polygons alone."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

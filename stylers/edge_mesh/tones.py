@@ -44,7 +44,14 @@ _SHADERS = {
 
 def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> Iterator[Pass]:
     """One pass over every viewport, unless all stays as the app drew it. tone: ``app`` or one of
-    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand."""
+    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand.
+
+    A layer over another has no paper of its own, and no tone where it shares that one's depth: that
+    has laid the surfaces in."""
+    if layer.over:
+        paper = "app"
+        if not layer.fresh:
+            return
     if tone == "app" and paper == "app":
         return
     behind = not isinstance(paper, str)

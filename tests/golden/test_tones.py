@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from OpenGL import GL
+from PIL import Image
 
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer, parse_colour
 from stylers.edge_mesh import EdgeMesh
-from stylers.edge_mesh.tones import TONES
+from stylers.edge_mesh.tones import TONES, tone_passes
 from tests import look
 
 CAMERA = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))
@@ -112,3 +117,53 @@ def test_greater_depths_may_win(backend, tone):
         GL.glClearDepth(1.0)
         GL.glDepthFunc(GL.GL_LESS)
     assert (usual != turned).any(axis=2).mean() < 0.001
+
+
+def test_layers_over_others_have_no_paper_and_are_toned_once():
+    item = (look.torus(), Camera(look.look_at((3, 2, 2.5)), look.perspective(), (0, 0, 64, 64)))
+    asked = ("wash", (1.0, 0.9, 0.8), (0.0, 0.0, 0.0))
+    first, later, shared = (
+        list(tone_passes(*asked, Layer((item,), over=over, fresh=fresh)))
+        for over, fresh in ((False, True), (True, True), (True, False))
+    )
+    assert [one.uniforms["behind"] for one in first] == [1]
+    assert [one.uniforms["behind"] for one in later] == [0]
+    assert shared == []
+
+
+def test_an_inset_leaves_the_picture_below_alone(tmp_path):
+    """A program that clears depth for a small view in a corner: what shows behind that is the main
+    view, and no sheet of paper."""
+    program = tmp_path / "inset.py"
+    program.write_text(INSET)
+    style = {"GLSHIM_STYLE": "watercolour", "GLSHIM_FRAMES": "2",
+             "GLSHIM_CAPTURE": str(tmp_path / "out%d.png")}  # fmt: skip
+    subprocess.run([sys.executable, str(program)], env=os.environ | style, check=True, timeout=60)
+    pixels = np.asarray(Image.open(tmp_path / "out2.png").convert("RGB")).astype(int)
+    behind, main = pixels[-58:-52, -58:-4].mean(axis=(0, 1)), pixels[8:14, 8:68].mean(axis=(0, 1))
+    # Red in both, as the program has it; a wash is uneven.
+    assert min(behind[0] - behind[2], main[0] - main[2]) > 100
+
+
+INSET = '''
+import pygame
+from OpenGL.GL import *
+pygame.display.init()
+pygame.display.set_mode((300, 200), pygame.OPENGL | pygame.DOUBLEBUF)
+def square(size):
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glVertex3f(size * x, size * y, 0)
+    glEnd()
+for _ in range(3):
+    glViewport(0, 0, 300, 200)
+    glClearColor(0.3, 0.4, 0.8, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    glEnable(GL_DEPTH_TEST)
+    glColor3f(0.8, 0.3, 0.2)
+    square(2.0)
+    glViewport(240, 0, 60, 60)
+    glClear(GL_DEPTH_BUFFER_BIT)
+    square(0.4)
+    pygame.display.flip()
+'''
