@@ -20,8 +20,10 @@ if TYPE_CHECKING:
         UnknownNameError,
     )
     from glshim.geometry.camera import Camera
+    from glshim.geometry.poses import Keyframes, Skin
     from glshim.options import parse_style
     from glshim.pipeline import install, uninstall
+    from glshim.styling.passes import Body, MeshShader, Pass, State, Stencil, bodies
     from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, option
 
 _HOMES = {
@@ -29,6 +31,8 @@ _HOMES = {
     "glshim.options": ("parse_style",),
     "glshim.assembly.batch": ("PolygonBatch",),
     "glshim.geometry.camera": ("Camera",),
+    "glshim.geometry.poses": ("Keyframes", "Skin"),
+    "glshim.styling.passes": ("Body", "MeshShader", "Pass", "State", "Stencil", "bodies"),
     "glshim.styling.protocol": ("Colour", "Draw", "Layer", "Shader", "Styler", "option"),
     "glshim.errors": (
         "EnvironmentFault",

@@ -19,7 +19,7 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.chains import Pattern
 from glshim.geometry.coherence import Past
 from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.mesh import mesh
+from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.screen import window
 from tests import look
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.folds import FLAT
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.vectors import dot, unit
 
 Ints = NDArray[np.int32]

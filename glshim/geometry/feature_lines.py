@@ -34,7 +34,7 @@ from glshim.geometry.lines import (
     group_of,
     run_on,
 )
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.smooth_lines import SmoothPieces
 from glshim.geometry.vectors import Doubles, dot, unit
 

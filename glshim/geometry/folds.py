@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.camera import cofactors
-from glshim.geometry.components import components
 from glshim.geometry.edges import dihedral
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.components import components
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.vectors import Doubles, cross, dot, unit
 
 Floats = NDArray[np.float32]

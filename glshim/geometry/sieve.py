@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, EdgeMesh
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.vectors import dot
 
 Ints = NDArray[np.int32]

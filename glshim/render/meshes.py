@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh, inner_sides
-from glshim.geometry.mesh import Mesh
-from glshim.geometry.outward import outward
 from glshim.geometry.poses import Keyframes, Pose
+from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.outward import outward
 from glshim.render.driver import gl
 from glshim.render.objects import Objects
 from glshim.render.sieved import Sieved

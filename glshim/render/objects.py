@@ -13,8 +13,8 @@ from glshim.caches import AgingCache
 from glshim.geometry.edges import join
 from glshim.geometry.feature_lines import EdgeLines
 from glshim.geometry.folds import Topology
-from glshim.geometry.mesh import Mesh
-from glshim.geometry.meshes import Meshes
+from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.meshes import Meshes
 from glshim.notices import say_once
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.edge_mesh import EdgeMesh
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.sieve import EdgeSieve
 from glshim.render.driver import gl
 from glshim.render.uploads import delete, upload

@@ -14,7 +14,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.geometry.poses import Pose
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Layer, Uniform
+from glshim.styling.values import Layer, Uniform
 
 Comparison = Literal["always", "never", "less", "lequal", "equal", "notequal", "gequal", "greater"]
 Action = Literal["keep", "replace", "increase", "decrease", "zero"]

@@ -24,7 +24,7 @@ import re
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol
+from typing import Any, ClassVar, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,15 +34,16 @@ from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.geometry.feature_lines import Features
 from glshim.geometry.lines import Choice
+from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image, read_image
+from glshim.styling.values import Colour, Layer, Uniform
 
-if TYPE_CHECKING:
-    from glshim.styling.passes import Pass
+__all__ = [
+    "Colour", "Draw", "Expand", "Expansion", "Layer", "Option", "Pass", "Shader", "Styler",
+    "Uniform", "format_colour", "option", "options_of", "parse_colour",
+]  # fmt: skip
 
-Colour = tuple[float, float, float]
-"""Red, green, blue in 0..1."""
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
-Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
 
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _KEY = "glshim.option"
@@ -198,20 +199,6 @@ def option(
         kind, default = "colour", parse_colour(default)
     described = Option("", kind, default, help, low, high, unit, choices)
     return field(default=default, metadata={_KEY: described})
-
-
-@dataclass(frozen=True, slots=True)
-class Layer:
-    """Everything drawn until the depth buffer or the camera stops meaning the same thing."""
-
-    items: tuple[tuple[PolygonBatch, Camera], ...]
-    """The batches in the order of drawing, each with the camera that it was drawn with."""
-    light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
-    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0."""
-    over: bool = False
-    """An earlier layer of the frame lies below."""
-    fresh: bool = True
-    """The depth buffer holds this layer's polygons alone."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

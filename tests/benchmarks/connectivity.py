@@ -12,8 +12,8 @@ from time import perf_counter
 import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.mesh import mesh, weld
-from glshim.geometry.meshes import Meshes
+from glshim.geometry.recovery.mesh import mesh, weld
+from glshim.geometry.recovery.meshes import Meshes
 
 # Name, triangles, and Hajagos's milliseconds: adjacency alone, with creases.
 PAPER = (

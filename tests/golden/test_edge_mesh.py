@@ -14,7 +14,7 @@ import pytest
 from glshim.geometry.camera import Camera
 from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
 from glshim.geometry.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
-from glshim.geometry.mesh import mesh
+from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.screen import window
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer

@@ -15,7 +15,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.mesh import mesh
+from glshim.geometry.recovery.mesh import mesh
 from glshim.render.backend import Backend
 from glshim.render.meshes import Residents
 from glshim.render.objects import Objects

@@ -14,7 +14,7 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, edge_mesh, features
 from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
 from glshim.geometry.lines import RECORD, group_of
-from glshim.geometry.mesh import mesh
+from glshim.geometry.recovery.mesh import mesh
 from glshim.render.objects import Objects
 from tests import look
 from tests.score import meshes as scored

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from glshim.geometry.edge_mesh import edge_mesh, inner_sides
-from glshim.geometry.mesh import mesh
+from glshim.geometry.recovery.mesh import mesh
 from tests import look
 
 FIN = look.batch(  # three triangles at one edge

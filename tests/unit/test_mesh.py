@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from glshim.assembly.batch import PolygonBatch
-from glshim.geometry import welding
-from glshim.geometry.components import components
 from glshim.geometry.edges import join
-from glshim.geometry.mesh import Mesh, mesh, weld
-from glshim.geometry.meshes import Meshes
+from glshim.geometry.recovery import welding
+from glshim.geometry.recovery.components import components
+from glshim.geometry.recovery.mesh import Mesh, mesh, weld
+from glshim.geometry.recovery.meshes import Meshes
 from tests.look import batch, bowl, cube, cylinder, polygons_of, sphere, torus
 
 

@@ -8,8 +8,8 @@ from glshim.assembly.immediate import QUADS, assemble, assemble_many, reversed_w
 from glshim.capture.state import colour
 from glshim.geometry.edge_mesh import MARKED, edge_mesh, features
 from glshim.geometry.edges import join
-from glshim.geometry.mesh import mesh
-from glshim.geometry.meshes import Meshes
+from glshim.geometry.recovery.mesh import mesh
+from glshim.geometry.recovery.meshes import Meshes
 from glshim.spec.attributes import BY_NAME, decode
 from tests import look
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.mesh import Mesh
+from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.vectors import cross, dot
 
 _HOLLOW = 0.01

@@ -9,7 +9,7 @@ import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
-from glshim.geometry.mesh import Mesh, mesh
+from glshim.geometry.recovery.mesh import Mesh, mesh
 
 _MOST_ALIKE = 8
 """Meshes of one structure that are kept to try: a stream of triangles has no structure but its

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.components import turned
+from glshim.geometry.recovery.components import turned
 
 Indices = NDArray[np.int32]
 Rows = NDArray[np.intp]

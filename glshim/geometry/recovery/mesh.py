@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.adjacency import adjacency, meet, repeated
-from glshim.geometry.components import components
-from glshim.geometry.fans import fans
+from glshim.geometry.recovery.adjacency import adjacency, meet, repeated
+from glshim.geometry.recovery.components import components
+from glshim.geometry.recovery.fans import fans
+from glshim.geometry.recovery.welding import weld
 from glshim.geometry.vectors import cross, dot, unit
-from glshim.geometry.welding import weld
 
 __all__ = ["Mesh", "Report", "mesh", "weld"]
 

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.components import components
+from glshim.geometry.recovery.components import components
 
 Floats = NDArray[np.float32]
 Doubles = NDArray[np.float64]

@@ -1,0 +1,1 @@
+"""Meshes from streams of polygons: welding, adjacency, windings, and finding them again."""

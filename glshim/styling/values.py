@@ -1,0 +1,26 @@
+"""Plain values that stylers get and give."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from glshim.assembly.batch import PolygonBatch
+from glshim.geometry.camera import Camera
+
+Colour = tuple[float, float, float]
+"""Red, green, blue in 0..1."""
+Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Layer:
+    """Everything drawn until the depth buffer or the camera stops meaning the same thing."""
+
+    items: tuple[tuple[PolygonBatch, Camera], ...]
+    """The batches in the order of drawing, each with the camera that it was drawn with."""
+    light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
+    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0."""
+    over: bool = False
+    """An earlier layer of the frame lies below."""
+    fresh: bool = True
+    """The depth buffer holds this layer's polygons alone."""
