@@ -17,7 +17,9 @@ from numpy.typing import NDArray
 from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, measure
 from glshim.geometry.coherence import Drawn, Past, follow, keep
+from glshim.geometry.edges import Edges
 from glshim.geometry.folds import FLAT, Folds, Topology
+from glshim.geometry.gather import Places
 from glshim.geometry.lines import (
     BOUNDARY,
     CONTOUR,
@@ -30,9 +32,14 @@ from glshim.geometry.lines import (
     RING,
     SHARP,
     VALLEY,
+    Choice,
+    Seen,
+    alone_of,
     are_similarities,
     group_of,
     run_on,
+    seams_of,
+    together,
 )
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.smooth_lines import SmoothPieces
@@ -135,6 +142,18 @@ class EdgeLines:
             pieces += [] if suggestive is None else [suggestive]
         return np.concatenate(pieces)
 
+    def rims(self, modelview: Doubles) -> Edges:
+        """The boundary edges in eye space, which do not know each other yet."""
+        rows = self.topology.open_rows
+        ends = self.positions[self.topology.edges[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
+        normals = unit(self.normals[self.topology.a[rows]] @ cofactors(modelview).T)
+        each, nothing = np.arange(len(rows), dtype=np.int32), np.empty(0, np.intp)
+        sides = ends.reshape(-1, 6).astype(np.float32)
+        return Edges(
+            sides, each, np.c_[normals, -dot(normals, ends[:, 0])], normals,
+            each.astype(np.intp), nothing, nothing, np.empty(0, np.bool_),
+        )  # fmt: skip
+
     def _seen(self, modelview: Doubles, camera: Camera) -> _Seen:
         return _Seen(self, camera.under(modelview))
 
@@ -223,7 +242,9 @@ def feature_lines(
     """(L, 18) float32 records of the features of objects, each under its modelview (4, 4), eye
     space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
     patterns follow; past is what the frame before gave."""
-    found = [_sound(lines.found(modelview, camera, wanted)) for lines, modelview in objects]
+    own = replace(wanted, boundary=False)
+    found = [_sound(lines.found(modelview, camera, own)) for lines, modelview in objects]
+    found.append(_sound(_across(objects, camera, wanted)))
     whole = np.concatenate(found) if found else np.empty((0, RECORD), np.float32)
     run_on(whole)
     if wanted.pattern is None:
@@ -234,12 +255,34 @@ def feature_lines(
     named = names_of(objects)
     a, b = (whole[:, at : at + 3].astype(np.float64) for at in (0, 3))
     placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
+    placed = (*placed, (("seams", *named), np.eye(4)))
     drawn = Drawn(walk, a, b, group, owner, placed)
     if past is not None:
         drawn = replace(drawn, walk=follow(drawn, camera, past))
     turns = np.floor(drawn.walk.begin)
     whole[:, 16], whole[:, 17] = drawn.walk.begin - turns, drawn.walk.finish - turns
     return whole, keep(drawn, camera)
+
+
+def _across(
+    objects: Sequence[tuple[EdgeLines, Doubles]], camera: Camera, wanted: Features
+) -> Floats:
+    """Records of the edges that boundary edges make with each other, whatever objects they are of:
+    a program may cut a shape into pieces that it moves into place. Of those that stay alone the
+    boundary, and the fold where they stand on another surface (Raskar 2001, sections 2.2, 2.3)."""
+    rims = [lines.rims(modelview) for lines, modelview in objects]
+    if not sum(map(len, rims)):
+        return np.empty((0, RECORD), np.float32)
+    seams = seams_of(rims)
+    seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
+    choice = Choice(wanted.contours, wanted.ridge_angle, wanted.valley_angle)
+    folds = alone_of(seams.singles, seen, replace(choice, silhouettes=False))
+    found = seen.records(together(seams, seen, choice) + folds)
+    if not wanted.boundary:
+        return found
+    alone = seen.records([(FIN, seams.singles, None)])
+    alone[:, 15] += GROUP * (BOUNDARY - 3)
+    return np.concatenate((found, alone))
 
 
 def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:

@@ -90,21 +90,21 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
     records: list[Floats] = []
     lone: list[Edges] = []
     for edges, places in parts:
-        seen = _Seen(edges, places, camera)
+        seen = Seen(edges, places, camera)
         if not choice.connectivity:
             everything = np.arange(len(edges), dtype=np.intp)
-            records.append(seen.records(_alone(everything, seen, choice)))
+            records.append(seen.records(alone_of(everything, seen, choice)))
             continue
-        found = _together(edges, seen, choice)
+        found = together(edges, seen, choice)
         if several:
             lone.append(seen.moved(edges.singles))
         else:
-            found += _alone(edges.singles, seen, choice)
+            found += alone_of(edges.singles, seen, choice)
         records.append(seen.records(found))
     if lone and sum(map(len, lone)):
-        seams = _seams(lone)
-        seen = _Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
-        found = _together(seams, seen, choice) + _alone(seams.singles, seen, choice)
+        seams = seams_of(lone)
+        seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
+        found = together(seams, seen, choice) + alone_of(seams.singles, seen, choice)
         records.append(seen.records(found))
     whole = np.concatenate(records) if records else np.empty((0, RECORD), np.float32)
     run_on(whole)
@@ -141,7 +141,7 @@ def run_on(records: Floats) -> None:
         records[outlines[goes_on], 6:9] = records[outlines[following[goes_on]], 3:6]
 
 
-class _Seen:
+class Seen:
     """The sides of one `Edges` as a camera sees them."""
 
     def __init__(self, edges: Edges, places: Places, camera: Camera) -> None:
@@ -240,7 +240,7 @@ class _Seen:
         return self._places.polygon[self.edges.polygon[sides]]
 
 
-def _alone(sides: Indices, seen: _Seen, choice: Choice) -> _Found:
+def alone_of(sides: Indices, seen: Seen, choice: Choice) -> _Found:
     """Lines of sides that know no neighbour."""
     found: _Found = []
     ahead = sides[seen.front[sides]]
@@ -253,7 +253,7 @@ def _alone(sides: Indices, seen: _Seen, choice: Choice) -> _Found:
     return found
 
 
-def _together(edges: Edges, seen: _Seen, choice: Choice) -> _Found:
+def together(edges: Edges, seen: Seen, choice: Choice) -> _Found:
     """Lines of edges with two and more sides."""
     found: _Found = []
     first, second = edges.pairs
@@ -296,7 +296,7 @@ def _together(edges: Edges, seen: _Seen, choice: Choice) -> _Found:
 
 
 def _crowded_folds(
-    edges: Edges, seen: _Seen, sides: Indices, edge: Indices
+    edges: Edges, seen: Seen, sides: Indices, edge: Indices
 ) -> tuple[Doubles, Doubles]:
     """The least and the greatest fold between any two polygons of each edge with many, one on
     either side of it in the window. Polygons sent twice fold with none of their own."""
@@ -315,7 +315,7 @@ def _crowded_folds(
     return least, most
 
 
-def _seams(lone: list[Edges]) -> Edges:
+def seams_of(lone: list[Edges]) -> Edges:
     """Lone sides of all parts, in one space, as edges with each other's sides."""
     sides = np.concatenate([part.sides for part in lone])
     planes = np.concatenate([part.planes for part in lone])

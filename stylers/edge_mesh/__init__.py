@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import radians
+from math import cos, radians, sin
 from typing import Any, ClassVar, cast
 
 from glshim.geometry.chains import Pattern
@@ -25,6 +25,8 @@ from stylers.strokes import MADE, made
 _SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
 _DASH = 12.0
 """Pixels of a dash of a hidden line with the gap after it."""
+_GRAIN = 0.06
+"""Degrees by which a fold may miss the greatest angle for rounding: a hexagonal nut has 120."""
 _DIMMED = 0.3
 """Share of the ink of dimmed lines."""
 
@@ -45,7 +47,7 @@ class EdgeMesh(Styler):
     name: ClassVar[str] = "edge_mesh"
 
     contours: bool = option(True, help="ink where the surface turns away from the viewer")
-    ridges: bool = option(True, help="ink where the dihedral angle is less than ridge_angle")
+    ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
     valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
     marked: bool = option(False, help="ink where polygons of different colours meet")
     boundary: bool = option(True, help="ink on edges that have one polygon only")
@@ -60,7 +62,7 @@ class EdgeMesh(Styler):
     marked_ink: Colour = _colour("marked edges")  # noqa: RUF009
     boundary_ink: Colour = _colour("boundary edges")  # noqa: RUF009
     ridge_angle: float = option(
-        120.0, help="a ridge has a lesser dihedral angle", low=0.0, high=360.0, unit="degrees"
+        120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
     )
     valley_angle: float = option(
         240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
@@ -152,7 +154,7 @@ class EdgeMesh(Styler):
         pattern, image, tinted = self._stroke()
         wanted = Features(
             self.contours and not self.outer,
-            radians(self.ridge_angle) if self.ridges else None,
+            radians(self.ridge_angle + _GRAIN) if self.ridges else None,
             radians(self.valley_angle) if self.valleys else None,
             marked=self.marked,
             boundary=self.boundary,
@@ -164,8 +166,8 @@ class EdgeMesh(Styler):
         uniforms: dict[str, Uniform] = {
             "widths": self._widths,
             "inks": self._inks,
-            "ridge_turn": (1.0, 0.0),
-            "valley_turn": (1.0, 0.0),
+            "ridge_turn": (cos(radians(self.ridge_angle)), sin(radians(self.ridge_angle))),
+            "valley_turn": (cos(radians(self.valley_angle)), sin(radians(self.valley_angle))),
             "textured": float(image is not None),
             "tinted": tinted,
             "hidden_share": {"none": 0.0, "dimmed": _DIMMED}.get(self.hidden, 1.0),
@@ -193,7 +195,7 @@ class EdgeMesh(Styler):
                 self.contour_ink, self.ridge_ink, self.valley_ink, self.marked_ink,
                 self.boundary_ink,
             ),
-            ridge_angle=self.ridge_angle,
+            ridge_angle=min(self.ridge_angle + _GRAIN, 360.0),
             valley_angle=360.0 - self.valley_angle,
             hidden=cast(Any, self.hidden),
             outer=self.outer,

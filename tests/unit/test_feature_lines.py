@@ -13,7 +13,8 @@ import pytest
 from glshim.geometry.camera import Camera
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, edge_mesh, features
 from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.lines import RECORD, group_of
+from glshim.geometry.lines import BOUNDARY as BOUNDARY_GROUP
+from glshim.geometry.lines import FIN, GROUP, RECORD, group_of
 from glshim.geometry.recovery.mesh import mesh
 from glshim.render.objects import Objects
 from tests import look
@@ -364,3 +365,26 @@ def test_a_display_list_of_100000_polygons_is_fast():
         lines.found(camera.modelview, camera, wanted)
         took.append(time.perf_counter() - begin)
     assert min(took) < 0.032, took
+
+
+def test_shapes_cut_into_objects_have_the_edges_that_they_have_as_one():
+    """A box without a lid and the lid, each under a modelview of its own: no boundary is left."""
+    cube = look.cube()
+    whole, parts = [cube.corners[i : i + 4] for i in range(0, 24, 4)], []
+    camera = Camera(look.look_at((3, 2, 2.5)), look.perspective(), (0, 0, 400, 400))
+    for some, shift in ((whole[:1], (0.5, 0.0, -0.25)), (whole[1:], (-2.0, 1.0, 0.0))):
+        made = look.batch(cube.positions - np.float32(shift), some)
+        place = np.eye(4)
+        place[:3, 3] = shift
+        parts.append((EdgeLines(mesh(made)), camera.modelview @ place))
+    wanted = Features(True, *ANGLES, boundary=True)
+    cut, _ = feature_lines(parts, camera, wanted)
+    one, _ = feature_lines([(EdgeLines(mesh(cube)), camera.modelview)], camera, wanted)
+    assert len(cut) == len(one)
+    # Folds that face away are taken as they are seen: no ridge of a solid that is in pieces.
+    assert sorted(cut[:, 15][cut[:, 15] <= FIN]) == sorted(one[:, 15][one[:, 15] <= FIN])
+    assert cut[:, 15].max() < GROUP
+    middles = [np.sort((r[:, 0:3] + r[:, 3:6]).round(3), axis=0) for r in (cut, one)]
+    assert np.allclose(*middles, atol=2e-3)
+    alone, _ = feature_lines(parts[:1], camera, wanted)
+    assert (alone[:, 15] == FIN + GROUP * (BOUNDARY_GROUP - 3)).sum() == 4
