@@ -37,7 +37,7 @@ def vertices(stream: bytes) -> tuple[NDArray[np.float32], NDArray[np.bool_] | No
     return positions, given[np.searchsorted(flag_rows, rows)]
 
 
-def colours(stream: bytes) -> NDArray[np.uint32]:
+def shades(stream: bytes) -> NDArray[np.uint32]:
     """(V,) a number for the colour of each vertex, 0 before the first."""
     tags, values = decode(stream)
     kinds = KIND[tags]
@@ -108,21 +108,24 @@ def _none(sides: int) -> NDArray[np.int32]:
     return np.empty((0, sides), np.int32)
 
 
-def assemble(mode: int, stream: bytes, key: Hashable | None = None) -> PolygonBatch:
-    """Polygons of one recorded primitive."""
+def assemble(
+    mode: int, stream: bytes, key: Hashable | None = None, *, colours: bool = False
+) -> PolygonBatch:
+    """Polygons of one recorded primitive. colours: with their regions."""
     positions, flags = vertices(stream)
     corners, starts = polygon_corners(mode, len(positions))
     if flags is None or mode not in _FLAGGED:
         boundary = np.ones(len(corners), np.bool_)
     else:
         boundary = flags[corners]
-    return PolygonBatch(
-        positions, corners, starts, boundary, key, _regions(colours(stream), corners, starts)
-    )
+    regions = _regions(shades(stream), corners, starts) if colours else None
+    return PolygonBatch(positions, corners, starts, boundary, key, regions)
 
 
-def assemble_many(primitives: Sequence[tuple[int, bytes]]) -> PolygonBatch:
-    """Polygons of several primitives in one space, as one batch.
+def assemble_many(
+    primitives: Sequence[tuple[int, bytes]], *, colours: bool = False
+) -> PolygonBatch:
+    """Polygons of several primitives in one space, as one batch. colours: with their regions.
 
     Runs of equal mode and length, the many small glBegin/glEnd pairs of real programs, are
     assembled at once.
@@ -133,13 +136,13 @@ def assemble_many(primitives: Sequence[tuple[int, bytes]]) -> PolygonBatch:
     parts: list[PolygonBatch] = []
     for (mode, _), streams in groups.items():
         if len(streams) == 1 or mode not in _FLAGGED:
-            parts.extend(assemble(mode, stream) for stream in streams)
+            parts.extend(assemble(mode, stream, colours=colours) for stream in streams)
             continue
-        parts.append(_assemble_alike(mode, streams))
+        parts.append(_assemble_alike(mode, streams, colours))
     return concatenate(parts)
 
 
-def _assemble_alike(mode: int, streams: list[bytes]) -> PolygonBatch:
+def _assemble_alike(mode: int, streams: list[bytes], colours: bool) -> PolygonBatch:
     """Primitives of one mode and stream length; triangles, quads or one polygon each."""
     joined = b"".join(streams)
     counts = (KIND[decode(joined)[0]] == VERTEX).reshape(len(streams), -1).sum(axis=1)
@@ -147,12 +150,12 @@ def _assemble_alike(mode: int, streams: list[bytes]) -> PolygonBatch:
     positions, flags = vertices(joined)
     sides = {TRIANGLES: 3, QUADS: 4}.get(mode, count)
     if (counts != count).any() or count < 3 or flags is not None:
-        return concatenate([assemble(mode, stream) for stream in streams])
+        return concatenate([assemble(mode, stream, colours=colours) for stream in streams])
     each = count // sides * sides
     index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]
     corners = np.ascontiguousarray(index).reshape(-1)
     starts = np.arange(0, len(corners) + 1, sides, dtype=np.int32)
-    regions = _regions(colours(joined), corners, starts)
+    regions = _regions(shades(joined), corners, starts) if colours else None
     return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_), None, regions)
 
 

@@ -26,13 +26,16 @@ Rectangle = tuple[int, int, int, int]
 class ContentCache:
     """Batches by the content that they were made from, kept from the second sight on."""
 
-    def __init__(self) -> None:
+    def __init__(self, colours: bool) -> None:
+        self._colours = colours
         self._kept: AgingCache[PolygonBatch] = AgingCache()
         self._seen: AgingCache[bool] = AgingCache()
 
     def of_primitives(self, primitives: list[Primitive]) -> PolygonBatch:
         """The polygons of recorded primitives."""
-        return self._found(tuple(primitives), lambda: assemble_many(primitives))
+        return self._found(
+            tuple(primitives), lambda: assemble_many(primitives, colours=self._colours)
+        )
 
     def of_batch(self, batch: PolygonBatch) -> PolygonBatch:
         """The batch, with a key when its content was seen before."""
@@ -76,8 +79,9 @@ def _overlap(state: DrawState, other: Rectangle) -> bool:
 class LayerCollector:
     """Gathers the polygons of the current layer of one context."""
 
-    def __init__(self) -> None:
-        self._content = ContentCache()
+    def __init__(self, colours: bool = False) -> None:
+        """colours: batches say which polygons have the same colour."""
+        self._content = ContentCache(colours)
         self._primitives: dict[DrawState, list[Primitive]] = {}
         self._batches: list[Item] = []
         self._last: DrawState | None = None

@@ -107,7 +107,9 @@ class ListPolygons:
 class ListBook:
     """The lists of one share group."""
 
-    def __init__(self) -> None:
+    def __init__(self, colours: bool = False) -> None:
+        """colours: batches say which polygons have the same colour."""
+        self._colours = colours
         self._programs: dict[int, Program] = {}
         self._resolved: dict[tuple[int, int], tuple[ListPolygons, frozenset[int]]] = {}
         self._open: tuple[int, Program] | None = None
@@ -204,7 +206,7 @@ class ListBook:
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         key = ("list", context, name, next(_serial))
-        walk = _Walk(matrix_mode, shapes)
+        walk = _Walk(matrix_mode, shapes, self._colours)
         walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]
         absolute = tuple(
@@ -220,7 +222,8 @@ class ListBook:
 class _Walk:
     """Runs a list as the driver would, following matrices and the switches that matter."""
 
-    def __init__(self, matrix_mode: int, shapes: ShapePolygons) -> None:
+    def __init__(self, matrix_mode: int, shapes: ShapePolygons, colours: bool) -> None:
+        self._colours = colours
         self.found: list[tuple[PolygonBatch, NDArray[np.float64], bool]] = []
         self._shapes = shapes
         self._mode = matrix_mode
@@ -249,7 +252,7 @@ class _Walk:
 
     def _emit(self) -> None:
         if self._pending:
-            batch = assemble_many(self._pending)
+            batch = assemble_many(self._pending, colours=self._colours)
             self._pending = []
             self._take(batch)
 

@@ -73,7 +73,7 @@ class Follower:
         """colours: primitives begin with the colour that they have until they say another."""
         self.studio = studio
         self._colours, self._colour = colours, b""
-        self._scenes = Scenes()
+        self._scenes = Scenes(colours)
         self._now: Scene | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
         self._elements: list[tuple[int, int]] = []

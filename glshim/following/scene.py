@@ -30,14 +30,15 @@ _MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
 class Scene:
     """The book-keeping of one context. Make it while that context is current."""
 
-    def __init__(self) -> None:
+    def __init__(self, colours: bool = False) -> None:
+        """colours: batches say which polygons have the same colour."""
         self.refused = unsupported()
         """Why nothing can be styled here; empty when it can."""
         self.reader = StateReader()
-        self.layer = LayerCollector()
+        self.layer = LayerCollector(colours)
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
-        self.lists = ListBook()
+        self.lists = ListBook(colours)
         self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
@@ -169,7 +170,8 @@ class Scene:
 class Scenes:
     """The scenes of this process by context."""
 
-    def __init__(self) -> None:
+    def __init__(self, colours: bool = False) -> None:
+        self._colours = colours
         self._by_context: dict[int, Scene] = {}
 
     def current(self) -> Scene | None:
@@ -179,7 +181,7 @@ class Scenes:
             return None
         scene = self._by_context.get(handle)
         if scene is None:
-            scene = self._by_context[handle] = Scene()
+            scene = self._by_context[handle] = Scene(self._colours)
             if scene.refused:
                 say_unstyled(scene.refused)
         return scene

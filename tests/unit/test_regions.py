@@ -1,10 +1,13 @@
 """Regions of colour, from what the app says to the marked edges between them."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.assembly.immediate import QUADS, assemble, assemble_many, reversed_winding, scaled
+from glshim.assembly import immediate
+from glshim.assembly.immediate import QUADS, reversed_winding, scaled
 from glshim.capture.state import colour
 from glshim.geometry.edge_mesh import MARKED, edge_mesh, features
 from glshim.geometry.edges import join
@@ -13,6 +16,8 @@ from glshim.geometry.recovery.meshes import Meshes
 from glshim.spec.attributes import BY_NAME, decode
 from tests import look
 
+assemble = partial(immediate.assemble, colours=True)
+assemble_many = partial(immediate.assemble_many, colours=True)
 RED, GREEN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 
@@ -86,3 +91,10 @@ def test_the_colour_that_a_primitive_begins_with(lit, tracking):
         values = decode(colour())[1][0]
     wanted = (0.1, 0.2, 0.3, 0.4) if lit and not tracking else (0.25, 0.5, 0.75, 1.0)
     assert np.allclose(values, wanted)
+
+
+def test_nobody_pays_who_did_not_ask():
+    red, green = said("glColor3f", *RED), said("glColor3f", *GREEN)
+    streams = [(QUADS, square(0, before=red)), (QUADS, square(1, before=green))]
+    assert immediate.assemble_many(streams).regions is None
+    assert not mesh(immediate.assemble(QUADS, streams[0][1] + streams[1][1])).marked.any()
