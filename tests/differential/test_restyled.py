@@ -65,3 +65,33 @@ def test_a_new_context_at_an_old_address_gets_a_backend_of_its_own() -> None:
         glshim.uninstall()
         pygame.display.quit()
     assert len(pictures) == 1
+
+
+def coloured(shades: list[tuple[float, float, float]]) -> bytes:
+    """Two faces of a roof in one primitive, the ridge between them turned to the viewer."""
+    GL.glClearColor(1, 1, 1, 1)
+    GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+    GL.glBegin(GL.GL_QUADS)
+    for shade, side in zip(shades, (-0.7, 0.7), strict=True):
+        GL.glColor3f(*shade)
+        for x, y, z in ((0, -0.8, -0.9), (side, -0.8, 0.9), (side, 0.8, 0.9), (0, 0.8, -0.9)):
+            GL.glVertex3f(x, y, z)
+    GL.glEnd()
+    return bytes(GL.glReadPixels(0, 0, 64, 64, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+
+
+def inked(style: str, shades: list[tuple[float, float, float]]) -> list[bool]:
+    glshim.install(style)
+    found = coloured(shades)
+    glshim.uninstall()
+    return [max(found[i : i + 3]) < 60 for i in range(0, len(found), 3)]
+
+
+def test_colours_change_no_lines_unless_edges_are_marked(window: None) -> None:
+    """What the program says between glBegin and glEnd about colours is not asked for."""
+    alike, unlike = [(1.0, 0.5, 0.5)] * 2, [(1.0, 0.5, 0.5), (0.5, 1.0, 0.5)]
+    assert inked("edge_mesh", alike) == inked("edge_mesh", unlike)
+    assert sum(inked("edge_mesh", unlike)) > 100
+    marks = "edge_mesh:marked=on,ridges=off,valleys=off,contours=off,boundary=off"
+    assert not any(inked(marks, alike))
+    assert sum(inked(marks, unlike)) > 30
