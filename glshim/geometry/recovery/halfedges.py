@@ -1,0 +1,48 @@
+"""Halfedges: the sides of a mesh's triangles, and across each the triangle that it meets.
+
+Halfedge 3 t + k runs from corner k of triangle t to the next corner. P. Rideout, "Silhouette
+Extraction", 2010, "Computing Adjacency", has the same table with pointers.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.recovery.mesh import Mesh
+
+Indices = NDArray[np.int32]
+_NEXT = np.array((1, 2, 0))
+
+
+def twins(mesh: Mesh) -> Indices:
+    """(3 T,) the halfedge on the other side of each, -1 where an edge has one triangle, or more
+    than two. Of a twisted edge both run the same way."""
+    starts = mesh.triangles.ravel()
+    a, b = mesh.faces[mesh.faces[:, 1] >= 0].T
+    v0, v1 = mesh.edges[mesh.faces[:, 1] >= 0].T
+    one = _side(mesh.triangles, a, v0, v1)
+    other = _side(mesh.triangles, b, v1, v0)
+    found = np.full(len(starts), -1, np.int32)
+    found[one], found[other] = other, one
+    return found
+
+
+def _side(triangles: Indices, which: Indices, v0: Indices, v1: Indices) -> Indices:
+    """(E,) the halfedge of a triangle between two of its vertices, either way."""
+    corners = triangles.take(which, axis=0)
+    # The corner that is neither end lies opposite, and the side begins after it.
+    opposite = ((corners != v0[:, None]) & (corners != v1[:, None])).argmax(axis=1)
+    return np.asarray(3 * which + _NEXT[opposite], np.int32)
+
+
+def with_adjacency(triangles: Indices, twin: Indices) -> Indices:
+    """(T, 6) what GL_TRIANGLES_ADJACENCY wants: the corners (T, 3), and after each the vertex
+    across the side that begins there; where nothing is, that corner itself (a triangle without
+    area). twin (3 T,) as `twins` gives it; triangles may have numbers of their own for corners."""
+    corner = triangles.ravel()
+    across = corner.reshape(-1, 3)[:, (2, 0, 1)].ravel()  # of side k: the corner before it
+    found = np.empty((len(corner), 2), triangles.dtype)
+    found[:, 0] = corner
+    found[:, 1] = np.where(twin >= 0, across[twin], corner)
+    return found.reshape(-1, 6)
