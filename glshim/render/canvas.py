@@ -7,13 +7,13 @@ gets the ink once.
 
 from __future__ import annotations
 
-import ctypes
 from importlib.resources import files
 
 from glshim.errors import RenderError
 from glshim.render.depth import Box
 from glshim.render.driver import gl
 from glshim.render.programs import compiled
+from glshim.render.uploads import made
 
 _FRAMEBUFFER, _COLOUR_AT, _COMPLETE = 0x8D40, 0x8CE0, 0x8CD5
 _TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
@@ -43,7 +43,7 @@ class Canvas:
         }
         self.size = (0, 0)
         """Pixels."""
-        self._framebuffer, self._texture = _name("glGenFramebuffers"), _name("glGenTextures")
+        self._framebuffer, self._texture = made("glGenFramebuffers"), made("glGenTextures")
 
     def open(self, box: Box) -> None:
         """Bind it, large enough for a box of the framebuffer and without ink there."""
@@ -60,6 +60,10 @@ class Canvas:
         gl.glClear(0x4000)
         gl.glEnable(_BLEND)
         gl.glBlendEquation(_MAX)
+
+    def bind(self) -> None:
+        """Bind it as it is."""
+        gl.glBindFramebuffer(_FRAMEBUFFER, self._framebuffer)
 
     def put_over(self, framebuffer: int, box: Box, *, tidy: bool) -> None:
         """Lay the ink in a box over a framebuffer, and leave that bound. tidy: without lonely
@@ -94,9 +98,3 @@ class Canvas:
         gl.glFramebufferTexture2D(_FRAMEBUFFER, _COLOUR_AT, _TEXTURE_2D, self._texture, 0)
         if gl.glCheckFramebufferStatus(_FRAMEBUFFER) != _COMPLETE:
             raise RenderError("lines need a framebuffer of their own, and none can be made here")
-
-
-def _name(make: str) -> int:
-    value = ctypes.c_uint()
-    getattr(gl, make)(1, ctypes.addressof(value))
-    return value.value

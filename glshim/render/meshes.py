@@ -7,7 +7,7 @@ of 16 bytes a triangle. `docs/edge_mesh.md` compares that with the paper's.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +20,9 @@ from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.outward import outward
 from glshim.render.driver import gl
 from glshim.render.objects import Objects
-from glshim.render.sieved import Sieved
-from glshim.render.uploads import delete, upload
+from glshim.render.sieved import Sieved, adjacency_of
+from glshim.render.uploads import Indices, delete, upload
+from glshim.styling.passes import Element
 
 UNITS = {
     "mesh_positions": 6, "mesh_normals": 7, "mesh_edges": 8, "mesh_triangles": 9,
@@ -37,11 +38,16 @@ class Resident:
 
     mesh: Mesh
     edges: EdgeMesh
-    counts: dict[str, int]
-    """Rows of each kind of element (`glshim.styling.passes.Element`)."""
     textures: dict[str, int]
     nbytes: int
     sieved: Sieved
+    _indices: dict[Element, Indices] = field(default_factory=dict)
+
+    def count(self, element: Element) -> int:
+        """Elements of a kind."""
+        if element == "edges":
+            return len(self.edges.rows)
+        return len(self.mesh.edges if element == "sides" else self.mesh.triangles)
 
     def bind(self) -> None:
         """At `UNITS`."""
@@ -49,9 +55,20 @@ class Resident:
             gl.glActiveTexture(_TEXTURE_0 + UNITS[name])
             gl.glBindTexture(_TEXTURE_2D, texture)
 
+    def bind_indices(self, element: Element) -> None:
+        """Of the triangles, to the vertex array that is bound."""
+        found = self._indices.get(element)
+        if found is not None:
+            found.bind()
+            return
+        found = self._indices[element] = Indices()
+        found.fill(self.mesh.triangles if element == "surface" else adjacency_of(self.mesh))
+
     def free(self) -> None:
-        """Delete the textures."""
+        """Delete the textures and buffers."""
         delete(self.textures.values())
+        for found in self._indices.values():
+            found.free()
         self.sieved.free()
 
 
@@ -132,11 +149,7 @@ def _resident(mesh: Mesh) -> Resident:
     }
     textures = {name: upload(rows) for name, rows in sources.items()}
     nbytes = sum(rows.nbytes for rows in sources.values())
-    counts = {
-        "edges": len(edges.indices), "sides": len(sources["mesh_edges"]),
-        "triangles": len(triangles),
-    }  # fmt: skip
-    return Resident(mesh, edges, counts, textures, nbytes, Sieved(mesh, edges))
+    return Resident(mesh, edges, textures, nbytes, Sieved(mesh, edges))
 
 
 def _outwards(mesh: Mesh) -> NDArray[np.float64]:

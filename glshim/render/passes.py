@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from importlib.resources import files
 from math import isfinite
 from typing import Any
 
-import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,18 +20,20 @@ from glshim.render.colour import UNIT as COLOUR_UNIT
 from glshim.render.colour import ColourCopy
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import gl
+from glshim.render.gbuffer import UNIT as GBUFFER_UNIT
+from glshim.render.gbuffer import GBuffer
 from glshim.render.meshes import UNITS, Posed, Resident, Residents
+from glshim.render.meshprograms import MeshPrograms
 from glshim.render.objects import Objects
 from glshim.render.programs import Program
 from glshim.render.sieved import UNIT as SIEVED_UNIT
 from glshim.render.stage import NOTHING_DRAWN, Stage
 from glshim.render.textures import Textures
-from glshim.styling.passes import VERTICES, Body, Comparison, MeshShader, Pass, State, Stencil
+from glshim.styling.passes import VERTICES, Body, Comparison, Pass, State, Stencil
 
-_SHADERS = files(__package__) / "shaders"
-_MESH = "".join((_SHADERS / name).read_text("utf-8") for name in ("mesh.glsl", "edges.glsl"))
-_DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
 _MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}
+_BY_INDEX = {"surface": (0x0004, 3), "adjacency": (0x000C, 6)}
+"""Elements that are drawn by index: the mode, and indices of a triangle."""
 _TESTS = {"never": 0x0200, "less": 0x0201, "equal": 0x0202, "lequal": 0x0203, "greater": 0x0204,
           "notequal": 0x0205, "gequal": 0x0206, "always": 0x0207}  # fmt: skip
 _TURNED: dict[Comparison, Comparison] = {
@@ -42,9 +42,11 @@ _TURNED: dict[Comparison, Comparison] = {
 _ACTIONS = {"keep": 0x1E00, "replace": 0x1E01, "increase": 0x8507, "decrease": 0x8508, "zero": 0}
 _BLEND, _CULL, _STENCIL, _DEPTH_TEST = 0x0BE2, 0x0B44, 0x0B90, 0x0B71
 _OFFSET, _OFFSET_LINE, _CLAMP, _PRIMITIVE_RESTART = 0x8037, 0x2A02, 0x864F, 0x8F9D
-_ARRAY_BUFFER = 0x8892
+_ARRAY_BUFFER, _UNSIGNED_INT = 0x8892, 0x1405
 _FEEDBACK_BUFFER, _DISCARD = 0x8C8E, 0x8C89
-_UNITS = UNITS | {"mesh_sieved": SIEVED_UNIT, "app_colour": COLOUR_UNIT}
+_UNITS = UNITS | {
+    "mesh_sieved": SIEVED_UNIT, "app_colour": COLOUR_UNIT, "gbuffer": GBUFFER_UNIT
+}  # fmt: skip
 
 
 class Runner:
@@ -55,7 +57,8 @@ class Runner:
         self.residents = Residents(objects, most_bytes)
         self._stage = Stage()
         self._colour = ColourCopy()
-        self._programs: dict[Hashable, Program] = {}
+        self._gbuffer: GBuffer | None = None
+        self._programs = MeshPrograms(context)
         array = ctypes.c_uint()
         gl.glGenVertexArrays(1, ctypes.addressof(array))
         self._array = array.value
@@ -83,10 +86,14 @@ class Runner:
         self._stage.open(box)
         if any("app_colour" in one.shader.fragment for one in passes):
             self._colour.take(window, box)
+        before = False
         for one in passes:
             if one.image is not None:
                 textures.bind(one.image)
             gl.glScissor(*box)  # what a pass clears
+            if one.buffer != before:
+                self._turn_to_buffer(box, greater) if one.buffer else self._stage.reopen()
+                before = one.buffer
             _set(one.state, greater)
             for body in one.bodies:
                 camera = body.camera.affine()
@@ -97,9 +104,18 @@ class Runner:
                     continue
                 self._draw(one, replace(body, camera=camera), inputs, box)
             self.residents.release()
+        if before:
+            self._stage.reopen()
         _set(State(depth="always", blend="off"), greater)
         gl.glDisable(_STENCIL)
         self._stage.put_over(window, box)
+
+    def _turn_to_buffer(self, box: Box, greater: bool) -> None:
+        """Draw into the G-buffer, empty, from now on; it can be read after that."""
+        if self._gbuffer is None:
+            self._gbuffer = GBuffer()
+        self._gbuffer.open(box, greater=greater)
+        self._gbuffer.bind()
 
     def varyings(
         self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
@@ -152,7 +168,10 @@ class Runner:
         gl.glUseProgram(ready.program.name)
         gl.glBindVertexArray(self._array)
         count = ready.elements * ready.each
-        if count:
+        if count and one.element in _BY_INDEX:
+            mode = _BY_INDEX[one.element][0]
+            gl.glDrawElementsInstanced(mode, count, _UNSIGNED_INT, None, one.copies)
+        elif count:
             gl.glDrawArraysInstanced(_MODES[one.primitive], 0, count, one.copies)
         ready.release()
 
@@ -165,8 +184,10 @@ class Runner:
         count, each = 1, 3
         if one.element != "screen":
             resident = self.residents.find(body.batches)
-            count = resident.counts[one.element]
+            count = resident.count(one.element)
             each = VERTICES[one.primitive] * one.primitives
+            if one.element in _BY_INDEX:
+                each = _BY_INDEX[one.element][1]
         posed = None
         if one.pose is not None and resident is not None:
             if _size_of(one.pose) != len(resident.mesh.positions):
@@ -177,10 +198,10 @@ class Runner:
                 return None
             posed = Posed(one.pose)
         seen = seen_from(camera, one.light)
-        sieve = one.sieve if posed is None and one.element == "edges" else None
+        sieve = one.sieve if posed is None else None
         if resident is not None and sieve is not None:
-            count = resident.sieved.bind(np.array(seen["eye"]), sieve)
-        program = self._program(one.shader, one.pose, sieve is not None, varyings)
+            count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
+        program = self._programs.find(one.shader, one.pose, sieve is not None, varyings)
         program.set(inputs)
         program.set(seen)
         program.set(_UNITS | {"vertices_each": each})
@@ -191,36 +212,13 @@ class Runner:
             program.set({"bones": one.pose.matrices.transpose(0, 2, 1)})
         if resident is not None:
             resident.bind()
+            if one.element in _BY_INDEX and sieve is None:
+                resident.bind_indices(one.element)
             if "rest(" in one.shader.vertex:
                 self.residents.bind_rest(resident.mesh)
         if posed is not None:
             posed.bind()
         return _Ready(program, count, each, posed)
-
-    def _program(
-        self, shader: MeshShader, pose: Pose | None, sieved: bool, varyings: tuple[str, ...]
-    ) -> Program:
-        moved = "#define SIEVED\n" if sieved else ""
-        if isinstance(pose, Keyframes):
-            moved += "#define KEYFRAMES\n"
-        elif pose is not None:
-            moved += f"#define BONES {len(pose.matrices)}\n"
-        key = (shader, moved, varyings)
-        found = self._programs.get(key)
-        if found is None:
-            head = f"#version 330\n{moved}"
-            fragment = f"{head}{_DEPTH}#line 1\n{shader.fragment}"
-            try:
-                made = self._context.program(
-                    vertex_shader=f"{head}#define VERTEX_STAGE\n{_DEPTH}{_MESH}#line 1\n"
-                    f"{shader.vertex}",
-                    fragment_shader=None if varyings else fragment,
-                    varyings=varyings,
-                )
-            except moderngl.Error as error:
-                raise RenderError(f"shader {shader.name!r} does not compile: {error}") from error
-            found = self._programs[key] = Program(made)
-        return found
 
 
 @dataclass(frozen=True, slots=True)

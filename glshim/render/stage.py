@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from importlib.resources import files
 
 from glshim.errors import RenderError
@@ -10,6 +9,7 @@ from glshim.render.canvas import Canvas
 from glshim.render.depth import UNIT, Box
 from glshim.render.driver import gl
 from glshim.render.programs import compiled
+from glshim.render.uploads import made
 
 _FRAMEBUFFER, _RENDERBUFFER, _COMPLETE = 0x8D40, 0x8D41, 0x8CD5
 _DEPTH_24_STENCIL_8, _DEPTH_STENCIL_AT = 0x88F0, 0x821A
@@ -27,9 +27,7 @@ class Stage:
         texts = ((shaders / f"seed.{kind}.glsl").read_text("utf-8") for kind in ("vert", "frag"))
         self._seed = compiled("seed", *texts)
         self._depth_at = int(gl.glGetUniformLocation(self._seed, b"finished_depth"))
-        buffer = ctypes.c_uint()
-        gl.glGenRenderbuffers(1, ctypes.addressof(buffer))
-        self._buffer = buffer.value
+        self._buffer = made("glGenRenderbuffers")
         self._size = (0, 0)
 
     def open(self, box: Box) -> None:
@@ -59,6 +57,10 @@ class Stage:
         for corner in ((-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)):
             gl.glVertex2f(*corner)
         gl.glEnd()
+
+    def reopen(self) -> None:
+        """Bind it again as it is."""
+        self._canvas.bind()
 
     def put_over(self, framebuffer: int, box: Box) -> None:
         """Lay the colour over a framebuffer, and leave that bound."""

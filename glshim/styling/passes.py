@@ -18,9 +18,11 @@ from glshim.styling.values import Layer, Uniform
 
 Comparison = Literal["always", "never", "less", "lequal", "equal", "notequal", "gequal", "greater"]
 Action = Literal["keep", "replace", "increase", "decrease", "zero"]
-Element = Literal["edges", "sides", "triangles", "screen"]
+Element = Literal["edges", "sides", "triangles", "screen", "surface", "adjacency"]
 """What a shader runs over. Sides: the edges, and those left out of the edge mesh because they lie
-inside flat polygons, so that every side of every triangle is in one row."""
+inside flat polygons, so that every side of every triangle is in one row. Surface: the triangles by
+index, so that the vertex shader runs once a vertex, ``gl_VertexID``. Adjacency: the same with the
+vertices across the sides, six indices a triangle, for a geometry shader."""
 Primitive = Literal["lines", "quads", "triangles"]
 Actions = tuple[Action, Action, Action]
 """What happens to the stencil where its test fails, where depth fails, and where both pass."""
@@ -42,11 +44,14 @@ class MeshShader:
     """GLSL texts (no ``#version`` line). `vertex` follows the preludes ``depth.glsl`` and
     ``mesh.glsl``, which give the mesh, the camera and the light; `fragment` follows ``depth.glsl``.
     One that declares ``uniform sampler2D app_colour`` finds the app's finished picture there, pixel
-    for pixel. Colours are premultiplied."""
+    for pixel, and in ``uniform sampler2D gbuffer`` what passes drew into that. Colours are
+    premultiplied."""
 
     name: str
     vertex: str
     fragment: str
+    geometry: str = ""
+    """Follows the preludes of `vertex`; for element ``adjacency``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +116,11 @@ class Pass:
     pose: Pose | None = None
     """How the shader moves vertices before anything else; None: as the app sent them."""
     sieve: Sieve | None = None
-    """For edges: which of them may be left out; None: none."""
+    """For edges, and triangles with adjacency, which are those that have such an edge: which of
+    them may be left out; None: none."""
+    buffer: bool = False
+    """Draws into the G-buffer: four floats a pixel, nothing to begin with, and a depth buffer of
+    its own, at the far plane. Passes after it read it; another run of such passes begins anew."""
     sheet: int = 0
     """Passes that follow each other on one sheet share colour, depth and stencil; at the first of
     another one what was drawn is laid over the window, and all three begin anew."""

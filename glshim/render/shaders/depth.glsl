@@ -5,7 +5,7 @@
 #define PASSED varying
 #define colour gl_FragColor
 #define texture texture2D
-#elif defined(VERTEX_STAGE)
+#elif defined(VERTEX_STAGE) || defined(GEOMETRY_STAGE)
 #define PASSED flat out
 #else
 #define PASSED flat in

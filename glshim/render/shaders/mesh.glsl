@@ -1,5 +1,5 @@
-// Prelude of every mesh shader's vertex stage: the recovered mesh, the camera and the light. A
-// vertex has no attributes: it looks its element up by number.
+// Prelude of every mesh shader's vertex and geometry stage: the recovered mesh, the camera and the
+// light. A vertex has no attributes: it looks its element up by number.
 // Inputs: textures of positions and normals (a texel a vertex), edges <v0, v1, v2, v3> and triangles.
 // Source: McGuire & Hughes 2004, section 3 (the edge vertex), 3.6 (key frames, bones), by indices
 //         as their section 6 foresees. Numpy references: glshim/geometry/edge_mesh.py, poses.py.
@@ -23,13 +23,18 @@ uniform vec4 viewport;   // pixels: its middle, and half its size
 const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 ivec2 texel(int i) { return ivec2(i & 2047, i >> 11); }
-#ifdef SIEVED
-uniform isampler2D mesh_sieved;     // numbers of the edges that are drawn
-int element() { return texelFetch(mesh_sieved, texel(gl_VertexID / vertices_each), 0).x; }
+#ifdef GEOMETRY_STAGE
+int drawn() { return gl_PrimitiveIDIn; }
 #else
-int element() { return gl_VertexID / vertices_each; }
-#endif
+int drawn() { return gl_VertexID / vertices_each; }
 int corner() { return gl_VertexID - vertices_each * (gl_VertexID / vertices_each); }
+#endif
+#ifdef SIEVED
+uniform isampler2D mesh_sieved;     // numbers of the elements that are drawn
+int element() { return texelFetch(mesh_sieved, texel(drawn()), 0).x; }
+#else
+int element() { return drawn(); }
+#endif
 ivec4 edge_at(int i) { return texelFetch(mesh_edges, texel(i), 0); }
 ivec4 triangle_at(int i) { return texelFetch(mesh_triangles, texel(i), 0); }
 
