@@ -14,7 +14,9 @@ from glshim.render.programs import Program
 from glshim.styling.passes import MeshShader
 
 _SHADERS = files(__package__) / "shaders"
-_MESH = "".join((_SHADERS / name).read_text("utf-8") for name in ("mesh.glsl", "edges.glsl"))
+_MESH = "".join(
+    (_SHADERS / name).read_text("utf-8") for name in ("window.glsl", "mesh.glsl", "edges.glsl")
+)
 _DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
 
 
@@ -26,12 +28,18 @@ class MeshPrograms:
         self._found: dict[Hashable, Program] = {}
 
     def find(
-        self, shader: MeshShader, pose: Pose | None, sieved: bool, varyings: tuple[str, ...] = ()
+        self,
+        shader: MeshShader,
+        pose: Pose | None = None,
+        *,
+        sieved: bool = False,
+        planes: int = 0,
+        varyings: tuple[str, ...] = (),
     ) -> Program:
-        """The program of a shader for meshes that a pose moves, or of which a sieve leaves some.
-        varyings: what transform feedback shall capture. Raises `RenderError` with the driver's
-        words when it does not compile."""
-        defines = "#define SIEVED\n" if sieved else ""
+        """The program of a shader for meshes that a pose moves, or of which a sieve leaves some,
+        with so many clip planes of the app's. varyings: what transform feedback shall capture.
+        Raises `RenderError` with the driver's words when it does not compile."""
+        defines = f"#define CLIP_PLANES {planes}\n" + "#define SIEVED\n" * sieved
         if isinstance(pose, Keyframes):
             defines += "#define KEYFRAMES\n"
         elif pose is not None:

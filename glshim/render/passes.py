@@ -15,7 +15,7 @@ from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.notices import say_once
-from glshim.render.cameras import inputs_of, scissor
+from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of, scissor, turned
 from glshim.render.colour import UNIT as COLOUR_UNIT
 from glshim.render.colour import ColourCopy
 from glshim.render.depth import Box, DepthCopy
@@ -99,7 +99,8 @@ class Runner:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
                     continue
-                inputs = inputs_of(camera, depth, away=-1.0 if greater else 1.0, hair=hair)
+                lens, away = turned(camera, greater)
+                inputs = inputs_of(lens, depth, away=away, hair=hair)
                 if inputs is None:
                     continue
                 self._draw(one, replace(body, camera=camera), inputs, box)
@@ -129,13 +130,13 @@ class Runner:
             inputs = inputs_of(camera, depth, away=1.0, hair=hair)
             if inputs is None:
                 raise RenderError("this camera sees nothing")
+            gl.glBindVertexArray(self._array)
             ready = self._ready(one, replace(body, camera=camera), inputs, tuple(names))
             if ready is None:
                 raise RenderError("this pose is another mesh's")
             count = ready.elements * ready.each
             width = sum(names.values())
             target = self._context.buffer(reserve=max(count, 1) * width * 4)
-            gl.glBindVertexArray(self._array)
             gl.glUseProgram(ready.program.name)
             gl.glBindBufferBase(_FEEDBACK_BUFFER, 0, target.glo)
             gl.glEnable(_DISCARD)
@@ -158,6 +159,7 @@ class Runner:
         return found
 
     def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
+        gl.glBindVertexArray(self._array)
         ready = self._ready(one, body, inputs)
         if ready is None:
             return
@@ -166,7 +168,6 @@ class Runner:
         gl.glDepthRange(*camera.depth_range)
         scissor(camera, box)
         gl.glUseProgram(ready.program.name)
-        gl.glBindVertexArray(self._array)
         count = ready.elements * ready.each
         if count and one.element in _BY_INDEX:
             mode = _BY_INDEX[one.element][0]
@@ -201,7 +202,10 @@ class Runner:
         sieve = one.sieve if posed is None else None
         if resident is not None and sieve is not None:
             count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
-        program = self._programs.find(one.shader, one.pose, sieve is not None, varyings)
+        program = self._programs.find(
+            one.shader, one.pose, sieved=sieve is not None,
+            planes=min(len(camera.clip_planes), MOST_CLIP_PLANES), varyings=varyings,
+        )  # fmt: skip
         program.set(inputs)
         program.set(seen)
         program.set(_UNITS | {"vertices_each": each})

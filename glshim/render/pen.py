@@ -21,7 +21,7 @@ from glshim.render.programs import Program
 from glshim.styling.protocol import Shader, Uniform
 
 _SHADERS = files(__package__) / "shaders"
-_LINE = (_SHADERS / "line.glsl").read_text("utf-8")
+_LINE = "".join((_SHADERS / name).read_text("utf-8") for name in ("line.glsl", "window.glsl"))
 DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
 """Prelude of both stages, for every version of GLSL."""
 _STRIP = 0x0005

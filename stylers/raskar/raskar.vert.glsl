@@ -79,8 +79,7 @@ void main() {
     float width = widths[group];
     float inward = outline ? INWARD : 0.5 * width;
     extent = vec3(-inward, width - inward, edge_kind.x);
-    float slack = kind == CONTOUR ? -0.25 * deep : kind == HOLLOW ? -2.0 * deep
-                : kind == FIN || lone ? 0.0 : min(abs(line_b.z - line_a.z) / span, deep);
+    float slack = slack_of(kind, deep, abs(line_b.z - line_a.z) / span);
     grain = vec2(deep, slack + hair + blur * (lone ? length(slopes.xy) : deep));
 
     if (hidden_share == 0.0 && !seen_somewhere()) return;

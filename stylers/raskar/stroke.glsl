@@ -32,6 +32,14 @@ void take_stroke() {
     group = extra > 0 ? extra + 3 : (kind > 2 ? kind - 2 : 0) / 2;
 }
 
+// Depth by which what is beside a line of a kind may be nearer than it. deep: of a pixel at 45
+// degrees; drop: that the line gains in a pixel.
+float slack_of(int kind, float deep, float drop) {
+    if (kind == CONTOUR) return -0.25 * deep;
+    if (kind == HOLLOW) return -2.0 * deep;
+    return kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY ? 0.0 : min(drop, deep);
+}
+
 // The point of the line t pixels from a: pixels, depth.
 vec3 point(float t) { return line_a + t / span * (line_b - line_a); }
 

@@ -13,14 +13,10 @@ uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wi
 uniform int vertices_each;          // vertices an element is drawn with
 
 uniform mat4 modelview;
-uniform mat4 projection;
 uniform vec4 eye;        // the viewer in object space, homogeneous: a direction to it where w = 0
 uniform vec4 light;      // GL_LIGHT0 in object space, homogeneous
 uniform float facing;    // +1 where triangles that wind counter-clockwise about their normal face
                          // the viewer as the app means it, else -1
-uniform vec4 viewport;   // pixels: its middle, and half its size
-
-const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
 
 ivec2 texel(int i) { return ivec2(i & 2047, i >> 11); }
 #ifdef GEOMETRY_STAGE

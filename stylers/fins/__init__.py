@@ -1,0 +1,85 @@
+"""Style ``fins``: a quad along every edge where the surface turns away, made by a geometry shader.
+
+P. Rideout, "Silhouette Extraction", The Little Grasshopper, 2010. Depths are compared at the middle
+of a line (the spine test of F. Cole, A. Finkelstein, "Two Fast Methods for High-Quality Line
+Visibility", 2010).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from math import pi
+from typing import ClassVar
+
+from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR
+from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
+from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+
+_HERE = files(__package__)
+_STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
+
+
+def _text(name: str) -> str:
+    return (_HERE / name).read_text("utf-8")
+
+
+FINS = MeshShader(
+    "fins", _text("fins.vert.glsl"), _STROKE + _text("fins.frag.glsl"),
+    _STROKE + _text("fins.geom.glsl"),
+)  # fmt: skip
+JOINTS = ("none", "overhang", "round")
+_CONTOURS = Sieve(CONTOUR | BOUNDARY, (pi, pi))
+
+
+@dataclass(frozen=True)
+class Fins(Styler):
+    """Fins on contours and open edges, with a spine test (Rideout 2010)."""
+
+    name: ClassVar[str] = "fins"
+
+    half_width: float = option(
+        2.0, help="half the width of the lines, rim included", low=0.5, high=64.0, unit="px"
+    )
+    overhang: float = option(
+        0.15, help="share of its length that a fin is longer by at both ends (joints=overhang)",
+        low=0.0, high=1.0,
+    )  # fmt: skip
+    joints: str = option(
+        "round", help="between fins: round, longer fins that overlap, or gaps", choices=JOINTS
+    )
+    tip: float = option(
+        1.0, help="width of the rim over which the ink fades; 0: no smooth edges",
+        low=0.0, high=16.0, unit="px",
+    )  # fmt: skip
+    spine: bool = option(
+        True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
+    )
+    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
+
+    def draws(self, layer: Layer) -> Iterable[Pass]:
+        """Triangles with adjacency, of which the geometry shader makes fins."""
+        found = bodies(layer)
+        if not found:
+            return
+        uniforms: dict[str, Uniform] = {
+            "half_width": self.half_width,
+            "overhang": self.overhang if self.joints == "overhang" else 0.0,
+            "joints": JOINTS.index(self.joints),
+            "tip": self.tip,
+            "spine": int(self.spine),
+            "ink": self.ink,
+            "hidden_share": 0.0,
+        }
+        state = State(depth="always", blend="greatest")
+        yield Pass(FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS)

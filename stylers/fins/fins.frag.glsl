@@ -1,0 +1,25 @@
+// What:   ink on a fin, smooth at its rim, where its spine is seen.
+// Inputs: stroke.glsl; the fin (fins.geom.glsl).
+// Source: Rideout 2010, "Antialiased Fins", "The Spine Test" (F. Cole, A. Finkelstein 2010).
+
+uniform vec3 ink;
+uniform float half_width;
+uniform float tip;      // pixels over which the ink fades at the rim; 0: none
+uniform int spine;      // 1: the depth of the middle decides for all of the width
+uniform int joints;
+
+noperspective in vec3 reach;
+
+const int ROUND_JOINTS = 2;
+
+void main() {
+    take_stroke();
+    float on = clamp(reach.x, 0.0, span);
+    float d = joints == ROUND_JOINTS ? length(vec2(reach.x - on, reach.y)) : abs(reach.y);
+    float fade = tip * fwidth(d);
+    float alpha = d > half_width ? 0.0 : 1.0;
+    if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
+    if (alpha <= 0.0) discard;
+    if (spine == 1 ? !seen(on) : finished(gl_FragCoord.xy) < reach.z - hair) discard;
+    colour = vec4(alpha * ink, alpha);
+}

@@ -1,0 +1,87 @@
+// What:   a fin, a quad along an edge between a front and a back face, or along an open edge.
+// Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the
+//         next one, or that corner again where nothing is. stroke.glsl.
+// Source: Rideout 2010, "Basic Fins", "The Spine Test", "Mind the Gap!". His facing test is the z
+//         of a cross product on the screen; here it is taken before projection, so that what lies
+//         behind the viewer counts right.
+
+layout(triangles_adjacency) in;
+layout(triangle_strip, max_vertices = 12) out;
+
+in vec3 place[];
+in int number[];
+
+uniform float half_width;  // pixels
+uniform float overhang;    // share of its length by which a fin goes on at both ends
+uniform int joints;        // ROUND or not
+
+noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
+
+const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
+const int ROUND_JOINTS = 2;
+
+// Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
+// other: the corners are taken in one order, so that rounding says the same.
+bool is_front(int a, int b, int c) {
+    bool even = true;
+    if (number[a] > number[b]) { int i = a; a = b; b = i; even = !even; }
+    if (number[b] > number[c]) { int i = b; b = c; c = i; even = !even; }
+    if (number[a] > number[b]) { int i = a; a = b; b = i; even = !even; }
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
+    return (dot(area, towards(eye, place[a])) > 0.0) == even;
+}
+
+// How the two triangles meet, for the spine test.
+int kind_of(int a, int b, int c, int across) {
+    vec3 own = cross(place[b] - place[a], place[c] - place[a]);
+    vec3 other = cross(place[across] - place[a], place[b] - place[a]);
+    if (facing * dot(place[across] - place[a], own) > 0.0) return HOLLOW;
+    float lengths = length(own) * length(other);
+    return dot(own, other) < -SHARP * lengths ? RING : CONTOUR;
+}
+
+void emit(int a, int b, int c, int shape) {
+    vec3 eye_a = (modelview * vec4(place[a], 1.0)).xyz;
+    vec3 eye_b = (modelview * vec4(place[b], 1.0)).xyz;
+    if (!cut(eye_a, eye_b)) return;
+    // The triangle lies on the left of the edge on the screen.
+    vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
+    if (dot(cross(at_a, at_b), clip(place[c]).xyw) < 0.0) {
+        vec3 kept = eye_a;
+        eye_a = eye_b;
+        eye_b = kept;
+    }
+    vec3 from = window(eye_a), to = window(eye_b);
+    float size = distance(from.xy, to.xy);
+    if (size < 1e-3) return;
+    vec2 v = (to.xy - from.xy) / size, n = vec2(v.y, -v.x);
+    float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
+    float slack = slack_of(shape, deep, abs(to.z - from.z) / size);
+    // A pixel more than half the width leaves room for its smooth rim.
+    float side = half_width + 1.0, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
+    for (int i = 0; i < 4; ++i) {
+        line_a = from;
+        line_b = to;
+        onwards = repeats = vec2(0.0);
+        slopes = vec4(0.0);
+        extent = vec3(-half_width, half_width, float(shape));
+        grain = vec2(deep, slack + hair + blur * deep);
+        float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
+        float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
+        reach = vec3(t, s, z);
+        gl_Position = on_screen(from.xy + t * v + s * n);
+        gl_Position.z = 2.0 * (away * z - away * range.x) / (away * range.y - away * range.x) - 1.0;
+        EmitVertex();
+    }
+    EndPrimitive();
+}
+
+void main() {
+    bool front = is_front(0, 2, 4);
+    for (int k = 0; k < 6; k += 2) {
+        int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
+        bool alone = number[across] == number[a];
+        if (alone || (front && !is_front(a, across, b)))
+            emit(a, b, c, alone ? FIN : kind_of(a, b, c, across));
+    }
+}
