@@ -23,7 +23,7 @@ from glshim.geometry.smoothing_groups import (
     topology_vertices,
     within_adjacency,
 )
-from glshim.geometry.vectors import Doubles, cross, dot, unit
+from glshim.geometry.vectors import Doubles, dot, unit
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.int32]
