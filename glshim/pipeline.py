@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from .assembly.batch import Wanted
 from .capture import frames
 from .capture.clibraries import C_LIBRARIES
 from .capture.raw import RAW
@@ -29,7 +30,7 @@ class Pipeline:
     def __init__(self, styler: Styler) -> None:
         self.styler = styler
         self._surface = Surface(styler.surface)
-        self._follower = Follower(self, colours=styler.wants_colours)
+        self._follower = Follower(self, Wanted(styler.wants_colours, styler.wants_normals))
         self._broken = False
 
     # -- life ------------------------------------------------------------------------------------

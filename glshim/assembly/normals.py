@@ -1,0 +1,128 @@
+"""Normals as an app gives them: in recorded streams, in calls that are not recorded, in arrays.
+
+Object space, never normalised. A zero normal stands for one that is not known.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..spec.attributes import BY_NAME, KIND, NORMAL, RECORD_BYTES, VERTEX, decode
+from .batch import PolygonBatch
+
+Floats = NDArray[np.float32]
+
+DTYPES: Mapping[int, type[np.generic]] = {
+    0x1400: np.int8, 0x1402: np.int16, 0x1404: np.int32, 0x1406: np.float32, 0x140A: np.float64,
+    0x140B: np.float16, 0x8D9F: np.int32, 0x8368: np.uint32,
+}  # fmt: skip
+"""By the type of a normal array; the last two hold a normal in 32 bits, 10 a component."""
+PACKED = frozenset((0x8D9F, 0x8368))
+
+_ROW = BY_NAME["glNormal3f"]
+UNKNOWN = _ROW.pack.pack(0.0, 0.0, 0.0, _ROW.tag)
+"""The record of a normal that is not known."""
+_VECTORS: Mapping[str, tuple[str, type[np.generic]]] = {
+    "b": ("GLbyteArray", np.int8), "s": ("GLshortArray", np.int16), "i": ("GLintArray", np.int32),
+    "ui": ("GLuintArray", np.uint32),
+}  # fmt: skip
+
+
+def mapped(values: NDArray[Any], type_: int = 0) -> Floats:
+    """(N, 3) normals as floats: of N packed ones (N, 1), or of components (N, 3), where integers
+    are mapped linearly onto [-1, 1] (OpenGL 2.1, section 2.14, table 2.9)."""
+    if type_ in PACKED:
+        parts = values.reshape(-1, 1) >> np.array((0, 10, 20), values.dtype) & 1023
+        if type_ == 0x8368:
+            return (parts / 1023.0).astype(np.float32)
+        return _onto_one(np.where(parts > 511, parts - 1024.0, parts), 10)
+    if values.dtype.kind == "i":
+        return _onto_one(values.astype(np.float64), 8 * values.dtype.itemsize)
+    with np.errstate(over="ignore"):
+        return np.asarray(values, np.float32)
+
+
+def _onto_one(numbers: NDArray[np.float64], bits: int) -> Floats:
+    return np.asarray((2.0 * numbers + 1.0) / (2.0**bits - 1.0), np.float32)
+
+
+def record(normal: NDArray[np.float32]) -> bytes:
+    """The record of a normal (3,)."""
+    return _ROW.pack.pack(*normal.tolist(), _ROW.tag)
+
+
+def said(name: str, args: tuple[Any, ...]) -> bytes:
+    """The record of a call of glNormal3b, 3s, 3i or P3ui, vector forms included; UNKNOWN for other
+    calls that may set the normal, empty for those that do not."""
+    match = re.fullmatch(r"gl(?:Normal3([bsi])|NormalP3(ui))(v?)", name)
+    if match is None:
+        return UNKNOWN if re.search("Normal|ArrayElement|Eval", name) else b""
+    array, dtype = _VECTORS[match[1] or match[2]]
+    type_ = int(args[0]) if match[2] else 0
+    if match[2] and type_ not in PACKED:
+        return UNKNOWN
+    given, count = (args[1:], 1) if match[2] else (args, 3)
+    if match[3]:
+        values = _behind(given[0], array, dtype, count)
+    else:
+        wide = np.array([int(value) for value in given[:count]], np.int64)
+        values = wide.astype(dtype)  # wraps, as C does
+    if type_ == 0x8D9F:
+        values = values.view(np.int32)
+    return record(mapped(values.reshape(1, -1), type_)[0])
+
+
+def _behind(value: Any, array: str, dtype: type[np.generic], count: int) -> NDArray[Any]:
+    """The numbers that a vector form points to."""
+    from ctypes import string_at
+
+    from OpenGL import arrays
+
+    size = count * np.dtype(dtype).itemsize
+    return np.frombuffer(string_at(int(getattr(arrays, array).dataPointer(value)), size), dtype)
+
+
+def normals(stream: bytes) -> Floats | None:
+    """(V, 3) the normal of each vertex of a stream, zero before the first; None without any."""
+    tags, values = decode(stream)
+    kinds = KIND[tags]
+    given = np.flatnonzero(kinds == NORMAL)
+    if not len(given):
+        return None
+    table = np.concatenate((np.zeros((1, 3), np.float32), values[given, :3]))
+    found: Floats = table[np.searchsorted(given, np.flatnonzero(kinds == VERTEX))]
+    return found
+
+
+def after(stream: bytes, before: bytes) -> bytes:
+    """The record of the normal that holds when a stream is over, from that before it."""
+    given = np.flatnonzero(KIND[decode(stream)[0]] == NORMAL)
+    if not len(given):
+        return before
+    at = int(given[-1]) * RECORD_BYTES
+    return stream[at : at + RECORD_BYTES]
+
+
+def throughout(batch: PolygonBatch, current: bytes) -> PolygonBatch:
+    """A batch whose corners all have the normal of a record."""
+    if current == UNKNOWN:
+        return batch
+    normal = np.frombuffer(current, np.float32, 3)
+    key = None if batch.key is None else (batch.key, normal.tobytes())
+    return replace(batch, normals=np.broadcast_to(normal, (len(batch.corners), 3)), key=key)
+
+
+def turned(normals: Floats, linear: NDArray[np.float64]) -> Floats:
+    """Normals (C, 3) where a linear map (3, 3) takes their surface: by its inverse transpose.
+    Not known, and zero, where that does not exist."""
+    determinant = np.linalg.det(linear)
+    if determinant == 0.0 or not np.isfinite(determinant):
+        return np.zeros_like(normals)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return (normals @ np.linalg.inv(linear)).astype(np.float32)
