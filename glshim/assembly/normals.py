@@ -40,7 +40,7 @@ def mapped(values: NDArray[Any], type_: int = 0) -> Floats:
     if type_ in PACKED:
         parts = values.reshape(-1, 1) >> np.array((0, 10, 20), values.dtype) & 1023
         if type_ == 0x8368:
-            return (parts / 1023.0).astype(np.float32)
+            return np.asarray(parts / 1023.0, np.float32)
         return _onto_one(np.where(parts > 511, parts - 1024.0, parts), 10)
     if values.dtype.kind == "i":
         return _onto_one(values.astype(np.float64), 8 * values.dtype.itemsize)
