@@ -192,9 +192,7 @@ def _normal_pointer() -> _Pointer | None:
     """The normal array, None when it is off."""
     if not _is_enabled(0x8075):
         return None
-    type_ = _integer(0x807E)
-    size = 1 if type_ in normals.PACKED else 3
-    return _Pointer(size, type_, _integer(0x807F), _integer(0x8897), _pointed(0x808F))
+    return _Pointer(3, _integer(0x807E), _integer(0x807F), _integer(0x8897), _pointed(0x808F))
 
 
 def _pointed(name: int) -> int:
@@ -210,7 +208,7 @@ def _normals(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
     try:
         if dtype is None:
             raise Unfetchable(f"normal type {pointer.type:#x}")
-        return normals.mapped(_strided(pointer, np.dtype(dtype), first, count), pointer.type)
+        return normals.mapped(_strided(pointer, np.dtype(dtype), first, count))
     except Unfetchable as reason:
         say_once(f"normals are not known, because {reason}")
         return np.zeros((max(count, 0), 3), np.float32)

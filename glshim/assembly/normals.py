@@ -20,10 +20,11 @@ Floats = NDArray[np.float32]
 
 DTYPES: Mapping[int, type[np.generic]] = {
     0x1400: np.int8, 0x1402: np.int16, 0x1404: np.int32, 0x1406: np.float32, 0x140A: np.float64,
-    0x140B: np.float16, 0x8D9F: np.int32, 0x8368: np.uint32,
+    0x140B: np.float16,
 }  # fmt: skip
-"""By the type of a normal array; the last two hold a normal in 32 bits, 10 a component."""
-PACKED = frozenset((0x8D9F, 0x8368))
+"""By the type of a normal array."""
+_SIGNED, _UNSIGNED = 0x8D9F, 0x8368
+"""GL_INT_2_10_10_10_REV and its unsigned kin: a normal in 32 bits, 10 a component."""
 
 _ROW = BY_NAME["glNormal3f"]
 UNKNOWN = _ROW.pack.pack(0.0, 0.0, 0.0, _ROW.tag)
@@ -34,22 +35,23 @@ _VECTORS: Mapping[str, tuple[str, type[np.generic]]] = {
 }  # fmt: skip
 
 
-def mapped(values: NDArray[Any], type_: int = 0) -> Floats:
-    """(N, 3) normals as floats: of N packed ones (N, 1), or of components (N, 3), where integers
-    are mapped linearly onto [-1, 1] (OpenGL 2.1, section 2.14, table 2.9)."""
-    if type_ in PACKED:
-        parts = values.reshape(-1, 1) >> np.array((0, 10, 20), values.dtype) & 1023
-        if type_ == 0x8368:
-            return np.asarray(parts / 1023.0, np.float32)
-        return _onto_one(np.where(parts > 511, parts - 1024.0, parts), 10)
+def mapped(values: NDArray[Any]) -> Floats:
+    """Normals as floats, whatever their shape; integers are mapped linearly onto [-1, 1] (OpenGL 2.1, section
+    2.14, table 2.9)."""
     if values.dtype.kind == "i":
-        return _onto_one(values.astype(np.float64), 8 * values.dtype.itemsize)
+        most = 2.0 ** (8 * values.dtype.itemsize) - 1.0
+        return np.asarray((2.0 * values.astype(np.float64) + 1.0) / most, np.float32)
     with np.errstate(over="ignore"):
         return np.asarray(values, np.float32)
 
 
-def _onto_one(numbers: NDArray[np.float64], bits: int) -> Floats:
-    return np.asarray((2.0 * numbers + 1.0) / (2.0**bits - 1.0), np.float32)
+def _unpacked(value: int, type_: int) -> Floats:
+    """(3,) a packed normal (OpenGL 4.2, section 2.1.6, equations 2.1 and 2.2)."""
+    parts = np.array([value >> shift & 1023 for shift in (0, 10, 20)], np.float32)
+    if type_ == _UNSIGNED:
+        return parts / np.float32(1023.0)
+    signed = np.where(parts > 511.0, parts - 1024.0, parts)
+    return np.asarray(np.maximum(signed / 511.0, -1.0), np.float32)
 
 
 def record(normal: NDArray[np.float32]) -> bytes:
@@ -64,18 +66,16 @@ def said(name: str, args: tuple[Any, ...]) -> bytes:
     if match is None:
         return UNKNOWN if re.search("Normal|ArrayElement|Eval", name) else b""
     array, dtype = _VECTORS[match[1] or match[2]]
-    type_ = int(args[0]) if match[2] else 0
-    if match[2] and type_ not in PACKED:
-        return UNKNOWN
     given, count = (args[1:], 1) if match[2] else (args, 3)
     if match[3]:
         values = _behind(given[0], array, dtype, count)
     else:
         wide = np.array([int(value) for value in given[:count]], np.int64)
         values = wide.astype(dtype)  # wraps, as C does
-    if type_ == 0x8D9F:
-        values = values.view(np.int32)
-    return record(mapped(values.reshape(1, -1), type_)[0])
+    if not match[2]:
+        return record(mapped(values))
+    type_ = int(args[0])
+    return record(_unpacked(int(values[0]), type_)) if type_ in (_SIGNED, _UNSIGNED) else UNKNOWN
 
 
 def _behind(value: Any, array: str, dtype: type[np.generic], count: int) -> NDArray[Any]:
