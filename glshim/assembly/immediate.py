@@ -161,8 +161,8 @@ def _assemble_alike(mode: int, streams: list[bytes], wanted: Wanted) -> PolygonB
     count = int(counts[0])
     positions, flags = vertices(joined)
     sides = {TRIANGLES: 3, QUADS: 4}.get(mode, count)
-    leaky = wanted.normals and not _all_begin_with(NORMAL, kinds)
-    if (counts != count).any() or count < 3 or flags is not None or leaky:
+    uneven = (counts != count).any() or count < 3 or flags is not None
+    if uneven or (wanted.normals and not _all_begin_with(NORMAL, kinds)):
         return concatenate([assemble(mode, stream, wanted=wanted) for stream in streams])
     each = count // sides * sides
     index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]

@@ -36,8 +36,8 @@ _VECTORS: Mapping[str, tuple[str, type[np.generic]]] = {
 
 
 def mapped(values: NDArray[Any]) -> Floats:
-    """Normals as floats, whatever their shape; integers are mapped linearly onto [-1, 1] (OpenGL 2.1, section
-    2.14, table 2.9)."""
+    """Normals as floats, whatever their shape; integers are mapped linearly onto [-1, 1] (OpenGL
+    2.1, section 2.14, table 2.9)."""
     if values.dtype.kind == "i":
         most = 2.0 ** (8 * values.dtype.itemsize) - 1.0
         return np.asarray((2.0 * values.astype(np.float64) + 1.0) / most, np.float32)
