@@ -30,7 +30,8 @@ class Pipeline:
     def __init__(self, styler: Styler) -> None:
         self.styler = styler
         self._surface = Surface(styler.surface)
-        self._follower = Follower(self, Wanted(styler.wants_colours, styler.wants_normals))
+        wanted = Wanted(colours=styler.wants_colours, normals=styler.wants_normals)
+        self._follower = Follower(self, wanted)
         self._broken = False
 
     # -- life ------------------------------------------------------------------------------------

@@ -209,11 +209,11 @@ def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> P
 def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatch:
     """The batch moved by an affine (4, 4) matrix; a mirroring one turns the windings round."""
     positions = (batch.positions @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
-    given = batch.normals
+    given, linear = batch.normals, matrix[:3, :3]
     if given is not None:
-        given = normals.turned(given, matrix[:3, :3])
+        given = normals.transformed(given, linear)
     moved = replace(batch, positions=positions, normals=given, key=None)
-    return reversed_winding(moved) if np.linalg.det(matrix[:3, :3]) < 0 else moved
+    return reversed_winding(moved) if np.linalg.det(linear) < 0 else moved
 
 
 def scaled(batch: PolygonBatch, factor: float, key: Hashable | None) -> PolygonBatch:

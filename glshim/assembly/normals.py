@@ -6,7 +6,8 @@ Object space, never normalised. A zero normal stands for one that is not known.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from ctypes import string_at
 from dataclasses import replace
 from typing import Any
 
@@ -65,27 +66,32 @@ def said(name: str, args: tuple[Any, ...]) -> bytes:
     match = re.fullmatch(r"gl(?:Normal3([bsi])|NormalP3(ui))(v?)", name)
     if match is None:
         return UNKNOWN if re.search("Normal|ArrayElement|Eval", name) else b""
-    array, dtype = _VECTORS[match[1] or match[2]]
-    given, count = (args[1:], 1) if match[2] else (args, 3)
-    if match[3]:
-        values = _behind(given[0], array, dtype, count)
-    else:
-        wide = np.array([int(value) for value in given[:count]], np.int64)
-        values = wide.astype(dtype)  # wraps, as C does
-    if not match[2]:
-        return record(mapped(values))
-    type_ = int(args[0])
-    return record(_unpacked(int(values[0]), type_)) if type_ in (_SIGNED, _UNSIGNED) else UNKNOWN
+    letters, vector = match[1] or match[2], bool(match[3])
+    try:
+        if match[1]:
+            return record(mapped(_values(letters, vector, args[:3], 3)))
+        type_ = _integer(args[0])
+        (packed,) = _values(letters, vector, args[1:2], 1).tolist()
+    except Exception:  # the driver took what we cannot read
+        return UNKNOWN
+    return record(_unpacked(packed, type_)) if type_ in (_SIGNED, _UNSIGNED) else UNKNOWN
 
 
-def _behind(value: Any, array: str, dtype: type[np.generic], count: int) -> NDArray[Any]:
-    """The numbers that a vector form points to."""
-    from ctypes import string_at
-
+def _values(letters: str, vector: bool, args: Sequence[Any], count: int) -> NDArray[Any]:
+    """(count,) the numbers that the driver took: arguments, or what a vector form points to."""
     from OpenGL import arrays
 
-    size = count * np.dtype(dtype).itemsize
-    return np.frombuffer(string_at(int(getattr(arrays, array).dataPointer(value)), size), dtype)
+    array, dtype = _VECTORS[letters]
+    if not vector:
+        wide = np.array([_integer(value) for value in args], np.int64)
+        return wide.astype(dtype)  # wraps, as C does
+    address = int(getattr(arrays, array).dataPointer(args[0]))
+    return np.frombuffer(string_at(address, count * np.dtype(dtype).itemsize), dtype)
+
+
+def _integer(value: Any) -> int:
+    """A number, or one of ctypes'."""
+    return int(getattr(value, "value", value))
 
 
 def normals(stream: bytes) -> Floats | None:
@@ -118,7 +124,7 @@ def throughout(batch: PolygonBatch, current: bytes) -> PolygonBatch:
     return replace(batch, normals=np.broadcast_to(normal, (len(batch.corners), 3)), key=key)
 
 
-def turned(normals: Floats, linear: NDArray[np.float64]) -> Floats:
+def transformed(normals: Floats, linear: NDArray[np.float64]) -> Floats:
     """Normals (C, 3) where a linear map (3, 3) takes their surface: by its inverse transpose.
     Not known, and zero, where that does not exist."""
     determinant = np.linalg.det(linear)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
@@ -84,7 +85,7 @@ def test_nobody_pays_who_did_not_ask(monkeypatch):
         raise AssertionError("looked at normals")
 
     streams = [(mode, said("glNormal3f", *UP) + vertices(6)) for mode in (7, 7, 4, 5, 9)]
-    for name in ("normals", "after", "throughout", "turned"):
+    for name in ("normals", "after", "throughout", "transformed"):
         monkeypatch.setattr(normals, name, never)
     assert immediate.assemble_many(streams).normals is None
     book = ListBook()
@@ -285,6 +286,9 @@ def test_integers_are_mapped_onto_one(values, wanted):
         ("glNormalP3ui", (0x8D9F, 512 | 511 << 10), (-1.0, 1.0, 0.0)),
         ("glNormalP3ui", (0x8368, 1023 << 20), (0.0, 0.0, 1.0)),
         ("glNormalP3ui", (0x1406, 7), UNKNOWN),
+        ("glNormal3s", tuple(map(ctypes.c_short, (32767, -1, 0))), (1.0, -1 / 65535, 1 / 65535)),
+        ("glNormal3bv", ((ctypes.c_byte * 3)(127, -128, 0),), (1.0, -1.0, 1 / 255)),
+        ("glNormal3bv", (object(),), UNKNOWN),
         ("glNormal3hNV", (1, 2, 3), UNKNOWN),
         ("glColor4fNormal3fVertex3fSUN", (), UNKNOWN),
         ("glArrayElement", (3,), UNKNOWN),
