@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from .assembly.batch import Wanted
 from .capture import frames
 from .capture.clibraries import C_LIBRARIES
 from .capture.raw import RAW
@@ -29,7 +30,8 @@ class Pipeline:
     def __init__(self, styler: Styler) -> None:
         self.styler = styler
         self._surface = Surface(styler.surface)
-        self._follower = Follower(self, colours=styler.wants_colours)
+        wanted = Wanted(colours=styler.wants_colours, normals=styler.wants_normals)
+        self._follower = Follower(self, wanted)
         self._broken = False
 
     # -- life ------------------------------------------------------------------------------------

@@ -279,6 +279,11 @@ class Styler:
         return False
 
     @property
+    def wants_normals(self) -> bool:
+        """Whether `PolygonBatch.normals` shall hold the normals that the app sends."""
+        return False
+
+    @property
     def surface(self) -> str | Colour:
         """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour."""
         return "app"
