@@ -21,8 +21,7 @@ from glshim.render.driver import current_context, gl, integer
 from glshim.render.guard import Guard, drain, possible
 from glshim.render.plain import plainly
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
-from glshim.styling.fixed import BackFaces
-from glshim.styling.values import Colour
+from glshim.styling.protocol import BackFaces, Colour
 
 _TRIANGLES, _FLOAT, _VERTICES, _EDGE_FLAGS = 0x0004, 0x1406, 0x8074, 0x8079
 _FRONT, _BACK, _LINE, _FILL = 0x0404, 0x0405, 0x1B01, 0x1B02

@@ -13,7 +13,7 @@ _RENDER = 0x1C00
 _NO_ERROR = 0
 
 _STACKS = (0x0BB0, 0x0D35, 0x0BB1, 0x0D3B)  # attribute stack depth, its limit; the client's
-_RENDER_MODE = 0x0C40
+_RENDER_MODE, _MATRIX_MODE = 0x0C40, 0x0BA0
 _LIST_INDEX = 0x0B33
 _PROGRAM = 0x8B8D
 _VERTEX_ARRAY = 0x85B5
@@ -51,7 +51,7 @@ class Guard:
     the arrays of the context itself, and the app's objects are not looked into.
     """
 
-    __slots__ = ("_array", "_error", "_framebuffers", "_program", "_switches", "_texture")
+    __slots__ = ("_array", "_error", "_framebuffers", "_mode", "_program", "_switches", "_texture")
 
     def __enter__(self) -> Guard:
         self._error = gl.glGetError()
@@ -59,6 +59,7 @@ class Guard:
         self._program = integer(_PROGRAM) if number >= (2, 0) else None
         framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
         self._framebuffers = [integer(name) for name in framebuffers]
+        self._mode = integer(_MATRIX_MODE)
         self._texture = integer(_ACTIVE_TEXTURE) if number >= (1, 3) else None
         self._array = integer(_VERTEX_ARRAY) if has_vertex_arrays() else None
         asked = ((switch, bool(gl.glIsEnabled(switch))) for switch in _SWITCHES)
@@ -88,6 +89,7 @@ class Guard:
         gl.glPopAttrib()
         if self._texture is not None:
             gl.glActiveTexture(self._texture)
+        gl.glMatrixMode(self._mode)  # Mesa 22 pops it before the unit whose stack it may mean
         if self._array:
             gl.glBindVertexArray(self._array)
         for switch, on in self._switches:
