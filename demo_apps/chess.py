@@ -35,12 +35,13 @@ def curve(*knots: Point, steps: int = 6) -> list[Point]:
     return [*found, knots[-1]]
 
 
-def arc(middle: float, radius: float, start: float, end: float, steps: int = 12) -> list[Point]:
-    """A run along a circle around a point of the axis, from one angle to another in degrees."""
-    angles = np.radians(np.linspace(start, end, steps + 1))
-    out = np.where(np.isclose(np.abs(angles), np.pi / 2), 0.0, radius * np.cos(angles))
-    heights = middle + radius * np.sin(angles)
-    return [(float(r), float(h)) for r, h in zip(out, heights, strict=True)]
+def ball(start: Point, middle: float, steps: int = 12) -> list[Point]:
+    """A run from a point along a circle around `middle`, a height of the axis, up to its pole."""
+    out, up = start[0], start[1] - middle
+    radius = float(np.hypot(out, up))
+    angles = np.linspace(np.arctan2(up, out), np.pi / 2, steps + 1)[1:-1]
+    run = [(float(radius * np.cos(a)), float(middle + radius * np.sin(a))) for a in angles]
+    return [start, *run, (0.0, middle + radius)]
 
 
 def draw_grid(points: Floats, normals: Floats) -> None:
@@ -79,6 +80,7 @@ def lathe(runs: Iterable[list[Point]]) -> None:
         along = np.gradient(np.array(run), axis=0)
         along /= np.linalg.norm(along, axis=1, keepdims=True)
         out, up = along[:, 1], -along[:, 0]
+        out[radius == 0.0], up[radius == 0.0] = 0.0, np.sign(up[radius == 0.0])
         points, normals = (
             np.stack([np.outer(r, cosines), np.outer(r, sines), np.outer(z, ones)], axis=2)
             for r, z in ((radius, height), (out, up))
@@ -100,12 +102,13 @@ def faces(*quads: tuple[Iterable[float], ...]) -> None:
 
 def foot(r: float, neck: float, height: float) -> list[list[Point]]:
     """The runs that all pieces begin with, up to a stem as thick as `neck` at a height."""
+    waist = 0.26 + 0.35 * (height - 0.26)
     return [
         [(0.0, 0.0), (r, 0.0)],
         [(r, 0.0), (r, 0.06)],
         curve((r, 0.06), (0.96 * r, 0.13), (0.80 * r, 0.17)),
         [(0.80 * r, 0.17), (0.80 * r, 0.20)],
-        curve((0.80 * r, 0.20), (0.62 * r, 0.26), (1.1 * neck, 0.40), (neck, height)),
+        curve((0.80 * r, 0.20), (0.62 * r, 0.26), (1.1 * neck, waist), (neck, height)),
     ]
 
 
@@ -120,12 +123,12 @@ def collar(r: float, neck: float, height: float, top: float) -> list[list[Point]
 
 
 def draw_pawn() -> None:
-    lathe([*foot(0.29, 0.10, 0.50), *collar(0.19, 0.10, 0.50, 0.09), arc(0.72, 0.15, -53, 90)])
+    lathe([*foot(0.29, 0.10, 0.50), *collar(0.19, 0.10, 0.50, 0.09), ball((0.09, 0.60), 0.72)])
 
 
 def draw_bishop() -> None:
     mitre = curve((0.10, 0.84), (0.17, 0.95), (0.15, 1.08), (0.05, 1.24))
-    knob = arc(1.28, 0.06, -41, 90)
+    knob = ball((0.05, 1.24), 1.28)
     lathe([*foot(0.32, 0.10, 0.74), *collar(0.20, 0.10, 0.74, 0.10), mitre, knob])
 
 
@@ -133,12 +136,12 @@ def draw_queen() -> None:
     bowl = curve((0.11, 1.02), (0.13, 1.16), (0.23, 1.36))
     inside = curve((0.19, 1.36), (0.14, 1.31), (0.05, 1.30))
     lathe([*foot(0.36, 0.12, 0.92), *collar(0.24, 0.12, 0.92, 0.11), bowl,
-           [(0.23, 1.36), (0.19, 1.36)], inside, arc(1.35, 0.07, -45, 90)])  # fmt: skip
+           [(0.23, 1.36), (0.19, 1.36)], inside, ball((0.05, 1.30), 1.35)])  # fmt: skip
     for k in range(8):
         GL.glPushMatrix()
         GL.glRotatef(45.0 * k, 0.0, 0.0, 1.0)
         GL.glTranslatef(0.21, 0.0, 0.0)
-        lathe([arc(1.39, 0.045, -90, 90, 8)])
+        lathe([ball((0.0, 1.345), 1.39, 8)])
         GL.glPopMatrix()
 
 
@@ -200,34 +203,36 @@ def draw_knight() -> None:
     """The head is a bent tube: along it the middle (x, z), half its depth and half its width."""
     lathe([*foot(0.34, 0.20, 0.36), [(0.20, 0.36), (0.0, 0.36)]])
     knots = np.array((
-        (-0.02, 0.30, 0.17, 0.15), (-0.06, 0.45, 0.18, 0.13), (-0.09, 0.62, 0.17, 0.115),
-        (-0.08, 0.80, 0.16, 0.105), (-0.01, 0.94, 0.15, 0.10), (0.09, 0.97, 0.13, 0.095),
-        (0.18, 0.91, 0.105, 0.08), (0.26, 0.82, 0.08, 0.065), (0.31, 0.76, 0.075, 0.06),
-        (0.34, 0.72, 0.05, 0.045),
+        (-0.02, 0.30, 0.17, 0.15), (-0.07, 0.45, 0.19, 0.14), (-0.11, 0.62, 0.19, 0.125),
+        (-0.12, 0.80, 0.17, 0.115), (-0.06, 0.95, 0.15, 0.11), (0.05, 1.00, 0.15, 0.11),
+        (0.15, 0.94, 0.15, 0.10), (0.24, 0.84, 0.12, 0.08), (0.31, 0.76, 0.10, 0.07),
+        (0.35, 0.71, 0.08, 0.055),
     ))  # fmt: skip
     x, z, deep, wide = np.array([
         np.interp(np.linspace(0, len(knots) - 1, 37), np.arange(len(knots)), column)
         for column in knots.T
     ])  # fmt: skip
     middle = np.stack([x, z], axis=1)
-    for _ in range(4):  # corners of the interpolation are worn off
+    for _ in range(24):  # corners of the interpolation are worn off
         middle[1:-1] = (middle[:-2] + 2 * middle[1:-1] + middle[2:]) / 4
     along = np.gradient(middle, axis=0)
     along /= np.linalg.norm(along, axis=1, keepdims=True)
     cosines, sines = around(24)
-    depth = deep[:, None] * cosines * np.where(cosines < 0, 1.0 + 0.35 * sines**8, 1.0)
+    depth = deep[:, None] * np.where(cosines < 0, cosines, 0.65 * cosines)  # the throat is flat
     points = np.stack([
         middle[:, :1] + along[:, 1:] * depth, wide[:, None] * sines,
         middle[:, 1:] - along[:, :1] * depth,
     ], axis=2)  # fmt: skip
     tip = (middle[-1, 0] + 0.02 * along[-1, 0], 0.0, middle[-1, 1] + 0.02 * along[-1, 1])
-    points = np.concatenate([points, np.broadcast_to(tip, (1, 25, 3))])
+    ends = (np.broadcast_to(end, (1, 25, 3)) for end in ((*middle[:1, 0], 0.0, 0.26), tip))
+    points = np.concatenate([next(ends), points, *ends])
     draw_grid(points, smooth_normals(points))
     for side in (-1.0, 1.0):
         GL.glPushMatrix()
-        GL.glTranslatef(-0.05, 0.06 * side, 1.02)
+        GL.glTranslatef(-0.07, 0.06 * side, 1.05)
         GL.glRotatef(-14.0 * side, 1.0, 0.0, 0.0)
-        lathe([curve((0.045, 0.0), (0.045, 0.07), (0.0, 0.17))])
+        lathe([[(0.0, 0.0), (0.045, 0.0)], curve((0.045, 0.0), (0.045, 0.07), (0.012, 0.15)),
+               ball((0.012, 0.15), 0.145, 4)])  # fmt: skip
         GL.glPopMatrix()
 
 

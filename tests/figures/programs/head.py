@@ -1,9 +1,8 @@
-"""A head, one smooth closed surface of 29,760 triangles: an egg on a neck, with features as bumps.
+"""A head, one smooth closed surface of 29,520 triangles: an egg on a neck, with features as bumps.
 """
 
 import numpy as np
 from numpy.typing import NDArray
-from OpenGL import GL
 
 from demo_apps.chess import draw_grid, material, smooth_normals
 from tests.figures.programs.stage import show
@@ -23,21 +22,21 @@ TABLE = (
 BUMPS = (
     (0.00, 0.10, 0.08, 0.24, 0.10), (0.00, -0.06, 0.09, 0.12, 0.20),  # bridge, tip of the nose
     (0.12, -0.12, 0.06, 0.06, 0.09), (0.00, -0.20, 0.05, 0.05, -0.05),  # its wings, and below it
-    (0.28, 0.36, 0.20, 0.07, 0.09), (0.00, 0.34, 0.10, 0.08, 0.03),  # brows
-    (0.29, 0.20, 0.15, 0.10, -0.13), (0.29, 0.18, 0.10, 0.065, 0.11),  # sockets, eyes
-    (0.29, 0.18, 0.13, 0.012, -0.035),  # the slit between the lids
+    (0.30, 0.37, 0.20, 0.055, 0.07), (0.00, 0.34, 0.10, 0.08, 0.03),  # brows
+    (0.30, 0.20, 0.17, 0.11, -0.13), (0.30, 0.18, 0.115, 0.07, 0.14),  # sockets, eyes
+    (0.30, 0.16, 0.14, 0.028, -0.045),  # the slit between the lids
     (0.42, -0.06, 0.16, 0.14, 0.05), (0.34, -0.38, 0.10, 0.16, -0.04),  # cheeks
-    (0.00, -0.34, 0.17, 0.045, 0.075), (0.00, -0.46, 0.15, 0.05, 0.085),  # lips
-    (0.00, -0.40, 0.20, 0.018, -0.07), (0.00, -0.57, 0.14, 0.05, -0.05),  # mouth, below it
+    (0.00, -0.34, 0.17, 0.05, 0.06), (0.00, -0.46, 0.15, 0.055, 0.065),  # lips
+    (0.00, -0.40, 0.21, 0.036, -0.055), (0.00, -0.57, 0.14, 0.05, -0.05),  # mouth, below it
     (0.00, -0.72, 0.17, 0.10, 0.10),  # chin
-    (1.52, 0.08, 0.05, 0.22, 0.17), (1.42, 0.02, 0.06, 0.12, -0.06),  # ears
-    (1.60, 0.18, 0.06, 0.10, 0.05), (1.46, -0.10, 0.05, 0.06, 0.07),
+    (1.62, 0.08, 0.12, 0.20, 0.17), (1.48, 0.04, 0.11, 0.12, -0.09),  # ears
+    (1.50, -0.12, 0.10, 0.07, 0.05),
 )  # fmt: skip
 
 
 def worn(values: Floats) -> Floats:
     """A profile without the corners of its table; the ends stay."""
-    for _ in range(10):
+    for _ in range(50):
         values[1:-1] = (values[:-2] + 2 * values[1:-1] + values[2:]) / 4
     return values
 

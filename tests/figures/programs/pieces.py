@@ -1,4 +1,4 @@
-"""``pieces king``, ``pieces rook``, ``pieces near`` (the king's head) or ``pieces crowd`` (a hundred
+"""``pieces king``, ``rook``, ``knight``, ``near`` (the king's head) or ``crowd`` (a hundred
 pieces): the chessmen of `demo_apps.chess` on white."""
 
 import sys
@@ -13,7 +13,8 @@ VIEWS: dict[str, tuple[str, Vector, Vector, float]] = {  # what stands there, ey
     "king": ("k", (1.6, -4.6, 2.5), (0.0, 0.0, 0.86), 25.0),
     "rook": ("r", (1.2, -3.3, 2.3), (0.0, 0.0, 0.52), 25.0),
     "near": ("k", (1.3, -3.0, 2.6), (0.0, 0.0, 1.50), 14.0),
-    "crowd": ("", (6.5, -11.5, 8.0), (0.1, -0.4, 0.0), 33.0),
+    "knight": ("n", (2.2, -3.6, 1.9), (0.0, 0.0, 0.56), 25.0),
+    "crowd": ("", (6.5, -11.5, 9.5), (-0.2, -0.6, 0.1), 37.0),
 }
 
 
