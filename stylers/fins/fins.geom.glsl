@@ -70,7 +70,7 @@ void emit(int a, int b, int c, int shape) {
         float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
         reach = vec3(t, s, z);
         gl_Position = on_screen(from.xy + t * v + s * n);
-        gl_Position.z = 2.0 * (away * z - away * range.x) / (away * range.y - away * range.x) - 1.0;
+        gl_Position.z = 2.0 * (z - range.x) / (range.y - range.x) - 1.0;
         EmitVertex();
     }
     EndPrimitive();
