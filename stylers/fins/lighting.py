@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.resources import files
-from math import isfinite
+from math import isfinite, radians
 
+from glshim.geometry.creases import Criterion
 from glshim.styling.passes import Body, MeshShader, Pass, State
 from glshim.styling.protocol import Colour, Uniform
 
@@ -25,6 +26,9 @@ def _shader(name: str) -> MeshShader:
 
 
 BUFFER, SURFACE = _shader("surface_buffer"), _shader("surface")
+_CREASES = Criterion("either", radians(50.0), radians(1.0))
+"""Light breaks where the app's normals do, or where triangles meet at an angle: a cube that came
+without normals is not round."""
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 _OVER_ALL = State(depth="always", blend="off")
 
@@ -52,7 +56,9 @@ def lit_passes(found: tuple[Body, ...], light: Light, look: Lighting) -> Iterato
             "lamp": light if whole else (0.0, 0.0, 0.0, 0.0),
             "paint": paint, "shine": look.shine, "bands": float(look.bands),
         }  # fmt: skip
-        yield Pass(BUFFER, lens, "surface", state=_NEAREST, buffer=True, sheet=_UNDER)
+        yield Pass(
+            BUFFER, lens, "surface", state=_NEAREST, creases=_CREASES, buffer=True, sheet=_UNDER
+        )
         yield Pass(
             SURFACE, lens[:1], "screen", state=_OVER_ALL, uniforms=uniforms, sheet=_UNDER
         )

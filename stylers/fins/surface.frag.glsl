@@ -13,11 +13,12 @@ uniform vec4 paint;  // alpha 0: the app's
 uniform float shine;
 uniform float bands; // 0: none
 
-const float AMBIENT = 0.25;
+const float AMBIENT = 0.35;
 const float HEADLIGHT = 0.3;  // of what the light leaves dark
 const float GLOSS = 40.0;
-const float PALED = 0.7;      // power of the app's brightness: less of its own shading is left
-const float PAINTS = 1.5;     // on a cel, in a ratio of 2
+const float PALED = 0.6;      // power of the app's brightness: less of its own shading is left
+const float PAINTS = 1.0;     // on a cel, in a ratio of 2
+const float AIRBRUSHED = 0.25; // of what these leave out: tiles of like paints stay apart
 const float BENT = 2.0;       // pixels by which a quad's diagonals may part
 
 vec4 drawn(vec2 place) { return texelFetch(gbuffer, ivec2(clamp(place, port.xy, port.zw)), 0); }
@@ -27,10 +28,10 @@ float slope(vec2 at, vec2 aside, float depth) {
     return min(abs(drawn(at + aside).a - depth), abs(drawn(at - aside).a - depth));
 }
 
-// A value in steps, smooth over a pixel.
+// A value in steps, smooth over a pixel; not where it jumps by itself.
 float stepped(float level) {
-    float blur = clamp(fwidth(level), 0.001, 0.5), part = fract(level);
-    return floor(level) + smoothstep(1.0 - blur, 1.0, part);
+    float blur = fwidth(level), part = fract(level);
+    return floor(level) + smoothstep(1.0 - (blur < 0.5 ? blur : 0.0) - 1e-3, 1.0, part);
 }
 
 // Eye space of a place in the window, and the way back for the depth alone.
@@ -49,7 +50,7 @@ float depth_of(vec3 spot) {
 // The app's colour without most of its shading; on a cel one of a few paints.
 vec3 painted(vec3 shown) {
     float value = max(max(shown.r, shown.g), shown.b), level = log2(max(value, 0.01));
-    if (bands > 0.0) level = stepped(PAINTS * level + 0.5) / PAINTS;
+    if (bands > 0.0) level = mix(stepped(PAINTS * level + 0.5) / PAINTS, level, AIRBRUSHED);
     return shown / max(value, 1e-3) * min(exp2(PALED * level), 1.0);
 }
 
