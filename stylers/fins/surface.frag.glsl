@@ -19,6 +19,7 @@ const float GLOSS = 40.0;
 const float PALED = 0.6;      // power of the app's brightness: less of its own shading is left
 const float PAINTS = 1.0;     // on a cel, in a ratio of 2
 const float AIRBRUSHED = 0.25; // of what these leave out: tiles of like paints stay apart
+const float CREASED = 0.25;   // change of a normal from one pixel to the next
 const float BENT = 2.0;       // pixels by which a quad's diagonals may part
 
 vec4 drawn(vec2 place) { return texelFetch(gbuffer, ivec2(clamp(place, port.xy, port.zw)), 0); }
@@ -28,10 +29,9 @@ float slope(vec2 at, vec2 aside, float depth) {
     return min(abs(drawn(at + aside).a - depth), abs(drawn(at - aside).a - depth));
 }
 
-// A value in steps, smooth over a pixel; not where it jumps by itself.
-float stepped(float level) {
-    float blur = fwidth(level), part = fract(level);
-    return floor(level) + smoothstep(1.0 - (blur < 0.5 ? blur : 0.0) - 1e-3, 1.0, part);
+// A value in steps, smooth over so much of one as a pixel spans.
+float stepped(float level, float blur) {
+    return floor(level) + smoothstep(1.0 - max(blur, 1e-3), 1.0, fract(level));
 }
 
 // Eye space of a place in the window, and the way back for the depth alone.
@@ -50,7 +50,7 @@ float depth_of(vec3 spot) {
 // The app's colour without most of its shading; on a cel one of a few paints.
 vec3 painted(vec3 shown) {
     float value = max(max(shown.r, shown.g), shown.b), level = log2(max(value, 0.01));
-    if (bands > 0.0) level = mix(stepped(PAINTS * level + 0.5) / PAINTS, level, AIRBRUSHED);
+    if (bands > 0.0) level = mix(floor(PAINTS * level + 0.5) / PAINTS, level, AIRBRUSHED);
     return shown / max(value, 1e-3) * min(exp2(PALED * level), 1.0);
 }
 
@@ -77,7 +77,8 @@ void main() {
     vec3 shown = texelFetch(app_colour, ivec2(at), 0).rgb;
     vec3 base = paint.a > 0.0 ? paint.rgb : painted(shown);
     if (bands > 0.0) {
-        bright = min(stepped(bands * bright), bands - 1.0) / (bands - 1.0);
+        float blur = length(fwidth(n)) > CREASED ? 0.0 : min(bands * fwidth(bright), 0.5);
+        bright = min(stepped(bands * bright, blur), bands - 1.0) / (bands - 1.0);
         gleam = smoothstep(-0.5, 0.5, (gleam - 0.5) / max(fwidth(gleam), 1e-4));
     }
     if (dot(n, n) == 0.0 || !own) discard;
