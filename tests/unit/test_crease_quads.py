@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 import pytest
 
@@ -241,11 +239,8 @@ def test_silhouettes_lead_with_the_front_on_the_left() -> None:
     quads = silhouette_quads(lines, matrix, 2.0, 2.0, half=HALF)
     ends = np.flatnonzero(~lines.before.any(axis=1))
     corners = place(quads.clip)
-    middle = corners[ends, 1] - corners[ends, 0]
-    assert (
-        np.abs(dot(corners[ends, 3] - corners[ends, 0], unit_left(corners[ends])) - 4).max() < 1e-6
-    )
-    assert middle.any()
+    across_ends = dot(corners[ends, 3] - corners[ends, 0], unit_left(corners[ends]))
+    assert np.abs(across_ends - 4.0).max() < 1e-6
 
 
 @pytest.mark.parametrize("width", [1.0, 5.0, 20.0, 60.0])
@@ -264,9 +259,8 @@ def test_silhouette_quads_are_wide_join_and_do_not_fold(width: float) -> None:
         normal = np.stack((-way[:, 1], way[:, 0]), axis=1) / length[:, None]
         for k, end, side in ((0, 0, -1), (1, 1, -1), (2, 1, 1), (3, 0, 1)):
             beside = dot(corners[:, k] - ends[:, end], normal)
-            assert np.abs(beside - side * quads.reach[:, side > 0])[good].max() < 1e-6
-        assert set(np.unique(quads.reach[quads.reach >= width / 2])) <= {
-            *np.unique(quads.reach[quads.reach < width]), width}  # fmt: skip
+            assert np.abs(beside - side * quads.reach[:, int(side > 0)])[good].max() < 1e-6
+        assert (quads.reach.max(axis=1) <= width).all()
         for near, far in ((0, 1), (3, 2)):
             on = dot(corners[:, far] - corners[:, near], way)
             assert (on[good] >= -1e-6 * np.maximum(length[good] ** 2, 1.0)).all()
@@ -303,4 +297,3 @@ def test_an_eye_inside_and_no_creases_at_all() -> None:
     none = creases(mesh(look.batch(*surfaces.icosphere(2))))
     halves, quads = crease_quads(none, matrix, 5.0, half=HALF)
     assert len(halves) == len(quads.clip) == 0
-    assert all(np.array_equal(np.diff(p), []) for p, _ in pairwise([np.empty(0), np.empty(0)]))
