@@ -30,6 +30,8 @@ Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 Rule = Literal["normals", "angle", "either"]
 
+_TOPOLOGY: tuple[str, ...] = ("adjacency", "strips")
+"""What is derived from the connectivity and the creases alone."""
 INVALID = np.float32(2.0)
 """The verifier of a vertex that no crease touches; those of others are sines, -1..1."""
 _ALIKE = 1e-3
@@ -59,16 +61,10 @@ class Sides(NamedTuple):
     """(E,) the halfedge of triangle A."""
     other: Indices
     """(E,) that of triangle B, -1 where there is none."""
+    twins: Indices
+    """(3 T,) the halfedge on the other side of each, as `recovery.halfedges.twins`."""
     parted: Flags
     """(E,) the app's normals differ at an end."""
-
-    def twins(self, count: int) -> Indices:
-        """(3 T,) as `recovery.halfedges.twins`, of count triangles."""
-        met = self.other >= 0
-        one, other = self.one[met], self.other[met]
-        found = np.full(3 * count, -1, np.int32)
-        found[one], found[other] = other, one
-        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +94,7 @@ class Creases:
     @cached_property
     def adjacency(self) -> Indices:
         """(T, 6) topology vertices in the order of GL_TRIANGLES_ADJACENCY."""
-        return with_adjacency(self.triangles, self.halfedges.twins(len(self.triangles)))
+        return with_adjacency(self.triangles, self.halfedges.twins)
 
     @cached_property
     def strips(self) -> Strips:
@@ -121,14 +117,9 @@ class Creases:
         both = np.flatnonzero((incoming >= 0) & (outgoing >= 0))
         corners = self.mesh.triangles.ravel()
         after = following(len(self.triangles))
-        before, here, ahead = (
-            self.mesh.positions.take(v, axis=0).astype(np.float64)
-            for v in (
-                corners[incoming[both]],
-                self.vertices[both],
-                corners[after[outgoing[both]]],
-            )
-        )
+        path = (corners[incoming[both]], self.vertices[both], corners[after[outgoing[both]]])
+        points = self.mesh.positions
+        before, here, ahead = (points.take(v, axis=0).astype(np.float64) for v in path)
         with np.errstate(invalid="ignore", over="ignore"):
             e_in, e_out = unit(here - before), unit(ahead - here)
             found[both, :3] = e_out - e_in
@@ -154,10 +145,11 @@ class Creases:
             return around.astype(np.float32)
         sent = _known(self.corner_normals.reshape(-1, 3))
         corners, count = self.triangles.ravel(), len(self.vertices)
-        total = np.stack([np.bincount(corners, sent[:, k], count) for k in range(3)], axis=1)
+        axes = [np.bincount(corners, weights=axis, minlength=count) for axis in sent.T]
+        total: Doubles = np.stack(axes, axis=1).astype(np.float64)
         # Normals that cancel out, but for rounding, say nothing.
         length = np.sqrt(dot(total, total))
-        total *= np.where(dot(total, around) < 0.0, -1.0, 1.0)[:, None]
+        total = np.where((dot(total, around) < 0.0)[:, None], -total, total)
         found = np.where((length > _ALIKE)[:, None], unit(total), around)
         return found.astype(np.float32)
 
@@ -183,8 +175,7 @@ class Creases:
         if not np.array_equal(flags, was):
             return _build(mesh, self.criterion, flags, self.halfedges, corner_normals)
         found = replace(self, mesh=mesh, corner_normals=corner_normals)
-        kept = {k: self.__dict__[k] for k in ("adjacency", "strips") if k in self.__dict__}
-        found.__dict__.update(kept)
+        found.__dict__.update({k: self.__dict__[k] for k in _TOPOLOGY if k in self.__dict__})
         return found
 
 
@@ -207,7 +198,8 @@ def creases(
         parted = _parted(mesh, one, other, corner_normals)
     criterion = Criterion(rule, float(angle), float(least))
     flags = _edges(mesh, criterion, parted)
-    return _build(mesh, criterion, flags, Sides(one, other, parted), corner_normals)
+    halves = Sides(one, other, _twins(mesh, one, other), parted)
+    return _build(mesh, criterion, flags, halves, corner_normals)
 
 
 def decoded(found: Creases, positions: NDArray[np.floating]) -> Flags:
@@ -260,22 +252,20 @@ def _parted(mesh: Mesh, one: Indices, other: Indices, corner_normals: Floats) ->
     after = following(len(mesh.triangles))
     found = np.zeros(len(one), np.bool_)
     met = np.flatnonzero(other >= 0)
-    h, g = one[met], other[met]
-    along = mesh.twisted[met]
-    ends = (
-        (h, np.where(along, g, after[g])),
-        (after[h], np.where(along, after[g], g)),
-    )
-    bits = sent.view(np.int32)
-    for p, q in ends:
-        # Most are equal to the bit, and only the others are normalised.
-        unlike = np.zeros(len(met), np.bool_)
-        for axis in bits.T:
-            unlike |= axis[p] != axis[q]
-        at = np.flatnonzero(unlike)
-        m, n = _known(sent[p[at]]), _known(sent[q[at]])
-        apart = dot(m - n, m - n) > _ALIKE * _ALIKE
-        found[met[at]] |= apart & m.any(axis=1) & n.any(axis=1)
+    h, g = one.take(met), other.take(met)
+    near, far = after.take(g), g
+    if mesh.twisted.any():
+        along = mesh.twisted[met]
+        near, far = np.where(along, far, near), np.where(along, near, far)
+    ends = sent.take(np.concatenate((h, after.take(h))), axis=0)
+    others = sent.take(np.concatenate((near, far)), axis=0)
+    # Most are equal, and only the others are normalised.
+    unlike = np.zeros(len(ends), np.bool_)
+    unlike[np.flatnonzero(ends.ravel() != others.ravel()) // 3] = True
+    at = np.flatnonzero(unlike)
+    m, n = _known(ends[at]), _known(others[at])
+    apart = (dot(m - n, m - n) > _ALIKE * _ALIKE) & m.any(axis=1) & n.any(axis=1)
+    found[met[at[apart] % max(len(met), 1)]] = True
     return found
 
 
@@ -304,17 +294,25 @@ def _turning(mesh: Mesh, least: float, some: Flags | None) -> Flags:
     return found
 
 
+def _twins(mesh: Mesh, one: Indices, other: Indices) -> Indices:
+    """(3 T,) as `recovery.halfedges.twins`, of the edges' halfedges (E,) and (E,)."""
+    met = np.flatnonzero(other >= 0)
+    one, other = one.take(met), other.take(met)
+    found = np.full(mesh.triangles.size, -1, np.int32)
+    found[one], found[other] = other, one
+    return found
+
+
 def _build(
     mesh: Mesh, criterion: Criterion, flags: Flags, halves: Sides, sent: Floats | None
 ) -> Creases:
     """The creases that edges (E,) are flagged to be."""
-    one, other, _ = halves
+    one, other, twins, _ = halves
     sides = np.zeros(mesh.triangles.size, np.bool_)
     sides[one[flags]] = True
     sides[other[flags & (other >= 0)]] = True
-    joined = halves.twins(len(mesh.triangles))
-    opened = sides & (joined < 0)
-    joined[sides] = -1
+    opened = sides & (twins < 0)
+    joined = np.where(sides, np.int32(-1), twins)
     if mesh.twisted.any():
         joined[one[mesh.twisted]] = joined[other[mesh.twisted]] = -1
     triangles, vertices = topology_vertices(mesh.triangles, joined, len(mesh.positions))

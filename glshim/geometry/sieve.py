@@ -1,4 +1,4 @@
-"""Which edges or triangles may have lines, before the GPU decides: what surely has none is left out.
+"""Which edges or triangles may have lines, before the GPU decides; what surely has none goes.
 
 Of 200,000 edges a few thousand remain. One product a triangle and one look-up an edge finds them,
 which a processor does sooner than a driver in software runs equation 1 for every vertex.

@@ -32,12 +32,20 @@ class Strips(NamedTuple):
 
 def following(count: int) -> Indices:
     """(3 T,) the next halfedge in each triangle, of count triangles."""
-    return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)[:, (1, 2, 0)].ravel()
+    return _turned(count, (1, 2, 0))
 
 
 def preceding(count: int) -> Indices:
     """(3 T,) the halfedge before each in its triangle, of count triangles."""
-    return np.arange(3 * count, dtype=np.int32).reshape(-1, 3)[:, (2, 0, 1)].ravel()
+    return _turned(count, (2, 0, 1))
+
+
+def _turned(count: int, order: tuple[int, int, int]) -> Indices:
+    first = np.arange(0, 3 * count, 3, dtype=np.int32)
+    found = np.empty((count, 3), np.int32)
+    for k, other in enumerate(order):
+        np.add(first, np.int32(other), out=found[:, k])
+    return found.ravel()
 
 
 def topology_vertices(triangles: Indices, joined: Indices, count: int) -> tuple[Indices, Indices]:
@@ -84,19 +92,20 @@ def _hard(corners: Indices, onward: Indices, joined: Indices, count: int) -> Ind
     leader[corners] = np.arange(len(corners), dtype=np.int32)
     left = np.bincount(corners, minlength=count).astype(np.int32)
     walkers = np.flatnonzero(~hard & (leader >= 0))
-    at, left = leader[walkers], left[walkers]
+    at, left = leader.take(walkers), left.take(walkers)
     home = at
     for _ in range(_WALK):
-        at, left = onward[joined[at]], left - 1
+        at, left = onward.take(joined.take(at)), left - 1
         back = at == home
         if back.any():
             hard[walkers[back & (left != 0)]] = True
-            out = ~back
-            walkers, at, home, left = walkers[out], at[out], home[out], left[out]
+            out = np.flatnonzero(~back)
+            walkers = walkers.take(out)
+            at, home, left = at.take(out), home.take(out), left.take(out)
         if not len(walkers):
             break
     hard[walkers] = True
-    return np.flatnonzero(hard[corners]).astype(np.int32)
+    return np.flatnonzero(hard.take(corners)).astype(np.int32)
 
 
 def _fans(hard: Indices, onward: Indices, joined: Indices, local: Indices, most: int) -> Indices:
@@ -105,16 +114,16 @@ def _fans(hard: Indices, onward: Indices, joined: Indices, local: Indices, most:
     double their reach until they arrive."""
     own = np.arange(len(hard), dtype=np.int32)
     over = joined[hard]  # of -1 whatever is there
-    step = np.where(over >= 0, local[onward[over]], own)
+    step = np.where(over >= 0, local.take(onward.take(over)), own)
     passes = range(most.bit_length())
     ahead = step
     for _ in passes:
-        ahead = ahead[ahead]
+        ahead = ahead.take(ahead)
     closed = np.flatnonzero(step[ahead] != ahead)
     if len(closed):
         least, reach = np.minimum(own, step), step
         for _ in passes:
-            least, reach = np.minimum(least, least[reach]), reach[reach]
+            least, reach = np.minimum(least, least.take(reach)), reach.take(reach)
         ahead[closed] = least[closed]
     return ahead
 
@@ -132,13 +141,13 @@ def by_traversal(triangles: Indices, sides: Flags, joined: Indices, count: int) 
     starts, ends = corners[first], corners[after[first]]
     incoming, outgoing = (np.full(count, -1, np.int32) for _ in range(2))
     outgoing[starts], incoming[ends] = first, first
-    for found, at, turn in ((incoming, starts, before), (outgoing, ends, after)):
-        s = first
+    for found, ahead, turn in ((incoming, starts, before), (outgoing, ends, after)):
+        s, at = first, ahead
         while len(s):
-            z = turn[s]
-            met = crease[z]
+            z = turn.take(s)
+            met = crease.take(z)
             found[at[met]] = z[met]
-            s = joined[z]
+            s = joined.take(z)
             on = ~met & (s >= 0)
             s, at = s[on], at[on]
     return Strips(incoming, outgoing)

@@ -81,7 +81,11 @@ class Objects:
         if found is None:
             before = self._parted.get((id(mesh.triangles), criterion))
             # A mesh that moved keeps its array of triangles.
-            found = before.moved(mesh) if before else creases(mesh, **criterion._asdict())
+            found = (
+                before.moved(mesh, mesh.corner_normals)
+                if before
+                else creases(mesh, mesh.corner_normals, **criterion._asdict())
+            )
             self._creases.put((id(mesh), criterion), found, found.nbytes)
             self._parted[id(mesh.triangles), criterion] = found
         return found
