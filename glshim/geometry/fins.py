@@ -16,6 +16,7 @@ from glshim.geometry.camera import Camera
 from glshim.geometry.vectors import Doubles, cross, dot
 
 Indices = NDArray[np.int32]
+Flags = NDArray[np.bool_]
 RIM = 1.0
 """Pixels by which a quad is wider than half its line, to both sides: room for smooth edges."""
 SHORTEST = 1e-3
@@ -29,7 +30,7 @@ class Sides(NamedTuple):
     """(S,)"""
     side: Indices
     """(S,) 0 to 2: it begins at that corner."""
-    open: NDArray[np.bool_]
+    open: Flags
     """(S,) nothing is across."""
 
 
@@ -117,7 +118,7 @@ def _moved(points: Doubles, matrix: Doubles) -> Doubles:
                       + (matrix[:, 3] if points.shape[1] == 3 else 0.0))  # fmt: skip
 
 
-def _cut(a: Doubles, b: Doubles, planes: list[Doubles]) -> tuple[Doubles, Doubles, Doubles]:
+def _cut(a: Doubles, b: Doubles, planes: list[Doubles]) -> tuple[Doubles, Doubles, Flags]:
     """Segments in eye space (N, 4) up to planes (4,), and whether something is left."""
     left = np.ones(len(a), np.bool_)
     for plane in planes:
