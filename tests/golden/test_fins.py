@@ -185,7 +185,7 @@ def test_a_twisted_strip_has_its_whole_outline(backend):
         before, after, there = drawn(backend, [(mobius(), camera)])
         outline = ~there & widened(there, 1.0)
         ink = look.ink(before, after)
-        assert (ink[outline] > 0.3).mean() > 0.98
+        assert (ink[outline] > 0.3).mean() > 0.999
 
 
 # Surfaces lit from the G-buffer
@@ -239,7 +239,8 @@ def test_a_cel_has_so_many_shades_with_smooth_steps(backend, bands):
 
 
 def test_a_cube_without_normals_has_flat_faces(backend):
-    _, after, there = drawn(backend, [(look.cube(), CAMERA)], fill="lit", paint="#ffffff",
+    camera = replace(CAMERA, projection=look.orthographic())
+    _, after, there = drawn(backend, [(look.cube(), camera)], fill="lit", paint="#ffffff",
                             shine=0.0, light=(0.3, 0.5, 0.8, 0.0), half_width=0.5)  # fmt: skip
     inner = after[there & ~widened(~there, 3.0)][:, 0]
     values, counts = np.unique(inner, return_counts=True)
@@ -256,7 +257,7 @@ def test_the_apps_hue_is_kept_and_no_light_is_needed(backend):
 
 
 def with_marks():
-    """A torus; before it large points, and a flat square over it that writes no depth."""
+    """A torus, and before it large points."""
     look.clear(WHITE)
     look.draw_base(look.torus(), CAMERA, SHADE)
     GL.glPointSize(9.0)

@@ -32,7 +32,10 @@ def mobius(count=24, width=0.35):
           s * np.sin(a / 2)) for a in turn] for s in (-width, width)
     ]  # fmt: skip
     quads = [[i, i + 1, count + i + 1, count + i] for i in range(count - 1)]
-    return look.batch([*rim[0], *rim[1]], [*quads, [count - 1, count, 0, 2 * count - 1]])
+    quads.append([count - 1, count, 0, 2 * count - 1])
+    # In triangles: drivers cut bent quads along either diagonal.
+    return look.batch([*rim[0], *rim[1]], [[a, *pair] for a, *rest in quads
+                                          for pair in (rest[:2], rest[1:])])  # fmt: skip
 
 
 def inside_out(mesh):
