@@ -72,6 +72,11 @@ class Fins(Styler):
     bands: float = option(4.0, help="shades of light (cel)", low=2.0, high=16.0)
 
     @property
+    def wants_normals(self) -> bool:
+        """Light falls by them."""
+        return self.fill in ("lit", "cel")
+
+    @property
     def surface(self) -> str | Colour:
         """The option `fill`: what is lit anew is painted over the app's own."""
         return "app" if self.fill in ("lit", "cel") else self.fill
