@@ -105,15 +105,16 @@ class Residents:
         self._kept.tick()
         self._rests.tick()
 
-    def find(self, batches: Sequence[PolygonBatch]) -> Resident:
-        """The mesh that batches of one object space make together. Valid until `release`."""
-        keys = tuple(batch.key for batch in batches)
-        still = None not in keys
+    def find(self, batches: Sequence[PolygonBatch], tolerance: float = 0.0) -> Resident:
+        """The mesh that batches of one object space make together, welded with a tolerance in
+        object units. Valid until `release`."""
+        parts = tuple(batch.key for batch in batches)
+        still, keys = None not in parts, (parts, tolerance)
         if still:
             found = self._kept.get(keys)
             if found is not None:
                 return found
-        made = _resident(self._objects.mesh(batches))
+        made = _resident(self._objects.mesh(batches, tolerance))
         if still:
             return self._kept.put(keys, made, made.nbytes)
         self._passing.append(made)

@@ -118,6 +118,8 @@ class Pass:
     sieve: Sieve | None = None
     """For edges, and triangles with adjacency, which are those that have such an edge: which of
     them may be left out; None: none."""
+    tolerance: float = 0.0
+    """Object units: corners no further apart are one vertex."""
     buffer: bool = False
     """Draws into the G-buffer: four floats a pixel, nothing to begin with, and a depth buffer of
     its own, at the far plane. Passes after it read it; another run of such passes begins anew."""

@@ -20,6 +20,8 @@ void main() {
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
     if (alpha <= 0.0) discard;
-    if (spine == 1 ? !seen(on) : finished(gl_FragCoord.xy) < reach.z - hair) discard;
+    // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
+    float inner = min(2.0, 0.5 * span);
+    if (spine == 1 ? !seen(clamp(on, inner, span - inner)) : finished(gl_FragCoord.xy) < reach.z - hair) discard;
     colour = vec4(alpha * ink, alpha);
 }

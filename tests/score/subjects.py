@@ -18,6 +18,8 @@ _OPTIONS = frozenset(f.name for f in fields(Raskar))
 KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
 """The kinds of line that raskar draws."""
 _ANGLES = {"ridge_angle": truth.RIDGE_ANGLE, "valley_angle": truth.VALLEY_ANGLE}
+_WELDED = {"tolerance": 1e-5}
+"""The teapot's corners come from GLUT in single precision, patch by patch."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +67,9 @@ SUBJECTS: dict[str, Subject] = {
             "ridges": ("ridge_width",),
             "valleys": ("valley_width",),
         },
-        fixed=_ANGLES,
+        fixed=_ANGLES | _WELDED,
     ),
-    "fins": Subject(Fins, {"silhouettes": ()}, {"silhouettes": ("half_width",)}),
+    "fins": Subject(
+        Fins, {"silhouettes": ()}, {"silhouettes": ("half_width",)}, fixed=_WELDED
+    ),
 }
