@@ -77,7 +77,7 @@ def _save(out: Path, name: str, view: views.View) -> None:
     out.mkdir(parents=True, exist_ok=True)
     tiles = [views.truth_picture(view), *(views.error_picture(view, k) for k in view.verdicts)]
     if len(tiles) % 2:
-        tiles.append(view.after["all"][::-1])
+        tiles.append(view.after[list(view.after)[-1]][::-1])
     rows = [np.concatenate(tiles[k : k + 2], axis=1) for k in range(0, len(tiles), 2)]
     Image.fromarray(np.concatenate(rows)).save(out / f"{name}_{view.number:02d}.png")
 

@@ -119,7 +119,8 @@ def look_at_views(
         before = look.pixels(SIZE, SIZE)
         after, verdicts = {}, {}
         alone = [(kind, (kind,)) for kind in kinds_drawn]
-        for what, kinds in [*alone, ("all", kinds_drawn)]:
+        together = [("all", kinds_drawn)] if len(alone) > 1 else []
+        for what, kinds in alone + together:
             chosen = subject.style(kinds, width)
             look.clear()
             look.draw_base(batch, camera)
