@@ -16,7 +16,9 @@ void main() {
     take_stroke();
     float on = clamp(reach.x, 0.0, span);
     float d = joints == ROUND_JOINTS ? length(vec2(reach.x - on, reach.y)) : abs(reach.y);
-    float fade = tip * fwidth(d);
+    // Of the signed distance, which has no kink at the spine, and by its direction: fwidth adds up
+    // the changes along x and y.
+    float fade = tip * fwidth(reach.y) / (abs(along.x) + abs(along.y));
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
     if (alpha <= 0.0) discard;
