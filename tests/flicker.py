@@ -64,9 +64,10 @@ def lathe(columns: int = 48) -> PolygonBatch:
 
 
 def teapot() -> PolygonBatch:
-    """GLUT's, its patches made to meet to the bit."""
+    """GLUT's on its foot, its patches made to meet to the bit."""
     pot = meshes.teapot()
-    return replace(pot, positions=pot.positions[truth.weld(pot.positions)])
+    upright = pot.positions[:, (0, 2, 1)] * np.array((1, -1, 1), np.float32)
+    return replace(pot, positions=upright[truth.weld(pot.positions)])
 
 
 MESHES: dict[str, Callable[[], PolygonBatch]] = {
