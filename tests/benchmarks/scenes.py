@@ -199,13 +199,14 @@ def call_lists(count: int) -> Draw:
 
 def turning(count: int, triangles: int) -> Draw:
     """Objects of so many triangles, a list each, side by side and each turning about itself."""
-    quads = sphere(triangles // 2, pleats=0.2)
-    mesh = np.ascontiguousarray(quads[:, (0, 1, 2, 0, 2, 3)].reshape(-1, 6))
+    quads = sphere(triangles // 2, 0.1)
+    mesh = quads[:, (0, 1, 2, 0, 2, 3)].reshape(-1, 6)
+    normals, points = (np.ascontiguousarray(mesh[:, k : k + 3]) for k in (0, 3))
     base = int(glGenLists(count))
     glEnableClientState(GL_VERTEX_ARRAY)
     glEnableClientState(GL_NORMAL_ARRAY)
-    glNormalPointer(GL_FLOAT, 24, mesh)
-    glVertexPointer(3, GL_FLOAT, 24, mesh.ctypes.data_as(ctypes.c_void_p).value + 12)
+    glNormalPointer(GL_FLOAT, 0, normals)
+    glVertexPointer(3, GL_FLOAT, 0, points)
     for name in range(base, base + count):
         glNewList(name, GL_COMPILE)
         glDrawArrays(GL_TRIANGLES, 0, len(mesh))
