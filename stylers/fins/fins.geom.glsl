@@ -68,8 +68,7 @@ void emit(int a, int b, int c, int shape) {
     take_stroke();
     bool short_one = spine == 1 && size <= SHORT;
     if (short_one && !seen(0.5 * size)) return;
-    // A pixel more than half the width leaves room for its smooth rim.
-    float side = half_width + 1.0, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
+    float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
         line_a = from;
         line_b = to;
