@@ -1,4 +1,4 @@
-"""PolygonBatch: what assembly gives and stylers get."""
+"""PolygonBatch: what assembly gives and stylers get, and what it may be asked to add."""
 
 from __future__ import annotations
 
@@ -7,6 +7,20 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What polygons shall come with beside their positions: each costs time and memory."""
+
+    colours: bool = False
+    """`PolygonBatch.regions`."""
+    normals: bool = False
+    """`PolygonBatch.normals`."""
+
+
+POSITIONS = Wanted()
+"""Nothing beside them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,6 +50,11 @@ class PolygonBatch:
     """(P,) a number for the colour that all corners of a polygon were given, 0 where they differ or
     nothing is known; None: not asked for (`glshim.styling.protocol.Styler.wants_colours`)."""
 
+    normals: NDArray[np.float32] | None = None
+    """(C, 3) object space: the normal that the app gave at each corner, as sent (not normalised),
+    zero where none is known; None: none is, or not asked for
+    (`glshim.styling.protocol.Styler.wants_normals`)."""
+
     @property
     def polygon_count(self) -> int:
         """Number of polygons."""
@@ -49,3 +68,13 @@ def regions_of(parts: Sequence[PolygonBatch]) -> NDArray[np.uint32] | None:
     return np.concatenate(
         [np.zeros(p.polygon_count, np.uint32) if p.regions is None else p.regions for p in parts]
     )
+
+
+def normals_of(parts: Sequence[PolygonBatch]) -> NDArray[np.float32] | None:
+    """(C, 3) the normals of several batches as one, None where none is known."""
+    if all(p.normals is None for p in parts):
+        return None
+    return np.concatenate(
+        [np.zeros((len(p.corners), 3), np.float32) if p.normals is None else p.normals
+         for p in parts]
+    )  # fmt: skip

@@ -5,16 +5,19 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..caches import AgingCache
+from ..notices import say_once
 from ..spec.context import restarts_primitives
 from ..spec.draws import DRAWS, Signature
 from ..spec.driver import current_context, gl
-from .batch import PolygonBatch
+from . import normals
+from .batch import POSITIONS, PolygonBatch, Wanted
 from .immediate import POLYGON_MODES, concatenate, polygon_corners
 
 _DTYPES = {
@@ -29,6 +32,11 @@ class Unfetchable(Exception):
     """The positions of this draw cannot be had; the text says why."""
 
 
+_EPOCHS = count()
+"""No two fetchers share one: what was derived from keys outlives a style, and buffers may have been
+written while none was installed."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Pointer:
     size: int
@@ -41,9 +49,11 @@ class _Pointer:
 class VertexFetch:
     """Reads draws; what comes from unchanged buffers is assembled once."""
 
-    def __init__(self) -> None:
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what batches shall come with; normals as far as they are in an array."""
+        self._wanted = wanted
         self._versions: dict[int, int] = {}
-        self._epoch = 0
+        self._epoch = next(_EPOCHS)
         self._kept: AgingCache[PolygonBatch] = AgingCache()
 
     def buffer_written(self, name: str, args: tuple[Any, ...]) -> None:
@@ -53,7 +63,7 @@ class VertexFetch:
         elif args and isinstance(args[0], int) and int(args[0]) in _BINDINGS:
             buffer = _integer(_BINDINGS[int(args[0])])
         else:
-            self._epoch += 1
+            self._epoch = next(_EPOCHS)
             return
         self._versions[buffer] = self._versions.get(buffer, 0) + 1
 
@@ -65,14 +75,17 @@ class VertexFetch:
         if mode not in POLYGON_MODES:
             return None
         pointer = _vertex_pointer()
-        key = self._key(signature, values, pointer)
+        normal = _normal_pointer() if self._wanted.normals else None
+        key = self._key(signature, values, pointer, normal)
         kept = self._kept.get(key) if key is not None else None
         if kept is not None:
             return kept
-        parts = [self._part(mode, pointer, indices) for indices in _index_runs(signature, values)]
+        runs = _index_runs(signature, values)
+        parts = [self._part(mode, pointer, normal, indices) for indices in runs]
         batch = concatenate([p for p in parts if len(p.corners)], key)
         if key is not None:
-            self._kept.put(key, batch, batch.positions.nbytes + batch.corners.nbytes)
+            given = 0 if batch.normals is None else batch.normals.nbytes
+            self._kept.put(key, batch, batch.positions.nbytes + batch.corners.nbytes + given)
         return batch
 
     def tick(self) -> None:
@@ -84,13 +97,22 @@ class VertexFetch:
         x, y, z = _positions(_vertex_pointer(), index, 1)[0]
         return float(x), float(y), float(z)
 
+    def element_normal(self, index: int) -> bytes:
+        """The record of its normal; empty if none is wanted, or in an array."""
+        normal = _normal_pointer() if self._wanted.normals else None
+        return b"" if normal is None else normals.record(_normals(normal, index, 1)[0])
+
     def _version(self, buffer: int) -> tuple[int, int, int]:
         return buffer, self._versions.get(buffer, 0), self._epoch
 
     def _key(
-        self, signature: Signature, values: dict[str, Any], pointer: _Pointer
+        self,
+        signature: Signature,
+        values: dict[str, Any],
+        pointer: _Pointer,
+        normal: _Pointer | None,
     ) -> Hashable | None:
-        if not pointer.buffer or signature.multiple:
+        if not pointer.buffer or signature.multiple or (normal and not normal.buffer):
             return None
         scalars = tuple(int(values[p]) for p in signature.parameters if p not in ("indices",))
         indexed: Hashable = None
@@ -100,10 +122,15 @@ class VertexFetch:
                 return None
             indexed = (*self._version(element_buffer), _address(values["indices"]))
         version = self._version(pointer.buffer)
-        return ("arrays", current_context(), scalars, pointer, version, indexed)
+        with_normals = (normal, self._version(normal.buffer)) if normal else None
+        return ("arrays", current_context(), scalars, pointer, version, indexed, with_normals)
 
     def _part(
-        self, mode: int, pointer: _Pointer, indices: tuple[int, NDArray[np.int64] | None, int]
+        self,
+        mode: int,
+        pointer: _Pointer,
+        normal: _Pointer | None,
+        indices: tuple[int, NDArray[np.int64] | None, int],
     ) -> PolygonBatch:
         first, elements, count = indices
         if elements is None:
@@ -114,10 +141,13 @@ class VertexFetch:
             high = int(elements.max()) if len(elements) else -1
             if low < 0:
                 raise Unfetchable("an index is negative")
-            positions = _positions(pointer, low, high - low + 1)
+            first, count = low, high - low + 1
+            positions = _positions(pointer, first, count)
             corners, starts = polygon_corners(mode, len(elements))
             corners = (elements - low).astype(np.int32)[corners]
-        return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_))
+        given = None if normal is None else _normals(normal, first, count)[corners]
+        boundary = np.ones(len(corners), np.bool_)
+        return PolygonBatch(positions, corners, starts, boundary, normals=given)
 
 
 def _index_runs(
@@ -156,36 +186,66 @@ def _indices(value: Any, type_: int, count: int) -> NDArray[np.int64]:
 def _vertex_pointer() -> _Pointer:
     if not _is_enabled(0x8074):
         raise Unfetchable("positions are not in the fixed-function vertex array")
-    address = ctypes.c_void_p()
-    gl.glGetPointerv(0x808E, ctypes.byref(address))
     pointer = _Pointer(
-        _integer(0x807A), _integer(0x807B), _integer(0x807C), _integer(0x8896), address.value or 0
+        _integer(0x807A), _integer(0x807B), _integer(0x807C), _integer(0x8896), _pointed(0x808E)
     )
     if pointer.type not in _DTYPES:
         raise Unfetchable(f"vertex type {pointer.type:#x}")
     return pointer
 
 
+def _normal_pointer() -> _Pointer | None:
+    """The normal array, None when it is off."""
+    if not _is_enabled(0x8075):
+        return None
+    return _Pointer(3, _integer(0x807E), _integer(0x807F), _integer(0x8897), _pointed(0x808F))
+
+
+def _pointed(name: int) -> int:
+    """An address, or the offset in a buffer, of the client state."""
+    address = ctypes.c_void_p()
+    gl.glGetPointerv(name, ctypes.byref(address))
+    return address.value or 0
+
+
+def _normals(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
+    """Normals (count, 3), zero where they cannot be had."""
+    dtype = normals.DTYPES.get(pointer.type)
+    try:
+        if dtype is None:
+            raise Unfetchable(f"normal type {pointer.type:#x}")
+        return normals.mapped(_strided(pointer, np.dtype(dtype), first, count))
+    except Unfetchable as reason:
+        say_once(f"normals are not known, because {reason}")
+        return np.zeros((max(count, 0), 3), np.float32)
+
+
 def _positions(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
     """Positions (count, 3) float32 after division by w."""
-    dtype = np.dtype(_DTYPES[pointer.type])
-    width = dtype.itemsize * pointer.size
-    stride = pointer.stride or width
-    if count <= 0:
-        return np.empty((0, 3), np.float32)
-    if first < 0:
-        raise Unfetchable("the first vertex is negative")
-    if not pointer.buffer and not pointer.address:
-        raise Unfetchable("the vertex pointer is null")
-    start, size = pointer.address + first * stride, (count - 1) * stride + width
-    raw = _bytes(pointer.buffer, _ARRAY_BUFFER, start, size)
-    strided = np.ndarray((count, pointer.size), dtype, raw, 0, (stride, dtype.itemsize))
-    positions = np.zeros((count, 3), np.float32)
+    strided = _strided(pointer, np.dtype(_DTYPES[pointer.type]), first, count)
+    positions = np.zeros((len(strided), 3), np.float32)
     positions[:, : min(pointer.size, 3)] = strided[:, :3]
     if pointer.size == 4:
         with np.errstate(divide="ignore", invalid="ignore"):
             positions /= strided[:, 3:4].astype(np.float32)
     return positions
+
+
+def _strided(
+    pointer: _Pointer, dtype: np.dtype[Any], first: int, count: int
+) -> NDArray[Any]:
+    """(count, size) what a client array holds."""
+    width = dtype.itemsize * pointer.size
+    stride = pointer.stride or width
+    if count <= 0:
+        return np.empty((0, pointer.size), dtype)
+    if first < 0:
+        raise Unfetchable("the first vertex is negative")
+    if not pointer.buffer and not pointer.address:
+        raise Unfetchable("the pointer of an array is null")
+    start, size = pointer.address + first * stride, (count - 1) * stride + width
+    raw = _bytes(pointer.buffer, _ARRAY_BUFFER, start, size)
+    return np.ndarray((count, pointer.size), dtype, raw, 0, (stride, dtype.itemsize))
 
 
 def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..spec.attributes import COLOR, EDGE_FLAG, KIND, SIZE, VERTEX, decode
-from .batch import PolygonBatch, regions_of
+from ..spec.attributes import COLOR, EDGE_FLAG, KIND, NORMAL, SIZE, VERTEX, decode
+from . import normals
+from .batch import POSITIONS, PolygonBatch, Wanted, normals_of, regions_of
 
 TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = range(4, 10)
 POLYGON_MODES = frozenset(range(4, 10))
@@ -109,23 +110,33 @@ def _none(sides: int) -> NDArray[np.int32]:
 
 
 def assemble(
-    mode: int, stream: bytes, key: Hashable | None = None, *, colours: bool = False
+    mode: int, stream: bytes, key: Hashable | None = None, *, wanted: Wanted = POSITIONS
 ) -> PolygonBatch:
-    """Polygons of one recorded primitive. colours: with their regions."""
+    """Polygons of one recorded primitive."""
     positions, flags = vertices(stream)
     corners, starts = polygon_corners(mode, len(positions))
     if flags is None or mode not in _FLAGGED:
         boundary = np.ones(len(corners), np.bool_)
     else:
         boundary = flags[corners]
-    regions = _regions(shades(stream), corners, starts) if colours else None
-    return PolygonBatch(positions, corners, starts, boundary, key, regions)
+    return PolygonBatch(
+        positions, corners, starts, boundary, key, *_extras(stream, corners, starts, wanted)
+    )
+
+
+def _extras(
+    stream: bytes, corners: NDArray[np.int32], starts: NDArray[np.int32], wanted: Wanted
+) -> tuple[NDArray[np.uint32] | None, NDArray[np.float32] | None]:
+    """The regions and normals of polygons, as far as they are wanted."""
+    regions = _regions(shades(stream), corners, starts) if wanted.colours else None
+    given = normals.normals(stream) if wanted.normals else None
+    return regions, given[corners] if given is not None and given.any() else None
 
 
 def assemble_many(
-    primitives: Sequence[tuple[int, bytes]], *, colours: bool = False
+    primitives: Sequence[tuple[int, bytes]], *, wanted: Wanted = POSITIONS
 ) -> PolygonBatch:
-    """Polygons of several primitives in one space, as one batch. colours: with their regions.
+    """Polygons of several primitives in one space, as one batch.
 
     Runs of equal mode and length, the many small glBegin/glEnd pairs of real programs, are
     assembled at once.
@@ -136,27 +147,38 @@ def assemble_many(
     parts: list[PolygonBatch] = []
     for (mode, _), streams in groups.items():
         if len(streams) == 1 or mode not in _FLAGGED:
-            parts.extend(assemble(mode, stream, colours=colours) for stream in streams)
+            parts.extend(assemble(mode, stream, wanted=wanted) for stream in streams)
             continue
-        parts.append(_assemble_alike(mode, streams, colours))
+        parts.append(_assemble_alike(mode, streams, wanted))
     return concatenate(parts)
 
 
-def _assemble_alike(mode: int, streams: list[bytes], colours: bool) -> PolygonBatch:
+def _assemble_alike(mode: int, streams: list[bytes], wanted: Wanted) -> PolygonBatch:
     """Primitives of one mode and stream length; triangles, quads or one polygon each."""
     joined = b"".join(streams)
-    counts = (KIND[decode(joined)[0]] == VERTEX).reshape(len(streams), -1).sum(axis=1)
+    kinds = KIND[decode(joined)[0]].reshape(len(streams), -1)
+    counts = (kinds == VERTEX).sum(axis=1)
     count = int(counts[0])
     positions, flags = vertices(joined)
     sides = {TRIANGLES: 3, QUADS: 4}.get(mode, count)
-    if (counts != count).any() or count < 3 or flags is not None:
-        return concatenate([assemble(mode, stream, colours=colours) for stream in streams])
+    uneven = (counts != count).any() or count < 3 or flags is not None
+    if uneven or (wanted.normals and not _all_begin_with(NORMAL, kinds)):
+        return concatenate([assemble(mode, stream, wanted=wanted) for stream in streams])
     each = count // sides * sides
     index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]
     corners = np.ascontiguousarray(index).reshape(-1)
     starts = np.arange(0, len(corners) + 1, sides, dtype=np.int32)
-    regions = _regions(shades(joined), corners, starts) if colours else None
-    return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_), None, regions)
+    boundary = np.ones(len(corners), np.bool_)
+    extras = _extras(joined, corners, starts, wanted)
+    return PolygonBatch(positions, corners, starts, boundary, None, *extras)
+
+
+def _all_begin_with(kind: int, kinds: NDArray[np.int8]) -> bool:
+    """Whether streams of kinds (S, N) all say a kind before their first vertex, or none does at
+    all: where one does not, it would go on with what the stream that is joined before it said."""
+    said = kinds == kind
+    first = (said | (kinds == VERTEX)).argmax(axis=1)
+    return not said.any() or bool(said[np.arange(len(said)), first].all())
 
 
 def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> PolygonBatch:
@@ -180,18 +202,22 @@ def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> P
         np.concatenate([p.boundary for p in parts]),
         key,
         regions_of(parts),
+        normals_of(parts),
     )
 
 
 def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatch:
     """The batch moved by an affine (4, 4) matrix; a mirroring one turns the windings round."""
     positions = (batch.positions @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
-    moved = replace(batch, positions=positions, key=None)
-    return reversed_winding(moved) if np.linalg.det(matrix[:3, :3]) < 0 else moved
+    given, linear = batch.normals, matrix[:3, :3]
+    if given is not None:
+        given = normals.transformed(given, linear)
+    moved = replace(batch, positions=positions, normals=given, key=None)
+    return reversed_winding(moved) if np.linalg.det(linear) < 0 else moved
 
 
 def scaled(batch: PolygonBatch, factor: float, key: Hashable | None) -> PolygonBatch:
-    """The batch, so many times larger."""
+    """The batch, so many times larger; its normals stay, as a library sends them at any size."""
     positions = batch.positions * np.float32(factor)
     return replace(batch, positions=positions, key=key)
 
@@ -204,4 +230,7 @@ def reversed_winding(batch: PolygonBatch) -> PolygonBatch:
     order = first + (last - np.arange(count))
     # Side c runs from corner c to the next one: reversed, it leaves from that next corner.
     side = np.where(order == first, last, order - 1)
-    return replace(batch, corners=batch.corners[order], boundary=batch.boundary[side])
+    given = None if batch.normals is None else batch.normals[order]
+    return replace(
+        batch, corners=batch.corners[order], boundary=batch.boundary[side], normals=given
+    )

@@ -13,7 +13,7 @@ from itertools import count
 from ..caches import AgingCache
 from ..capture.state import DrawState
 from ..geometry.camera import Camera
-from .batch import PolygonBatch
+from .batch import POSITIONS, PolygonBatch, Wanted
 from .immediate import assemble_many
 
 _serial = count()
@@ -26,15 +26,15 @@ Rectangle = tuple[int, int, int, int]
 class ContentCache:
     """Batches by the content that they were made from, kept from the second sight on."""
 
-    def __init__(self, colours: bool) -> None:
-        self._colours = colours
+    def __init__(self, wanted: Wanted) -> None:
+        self._wanted = wanted
         self._kept: AgingCache[PolygonBatch] = AgingCache()
         self._seen: AgingCache[bool] = AgingCache()
 
     def of_primitives(self, primitives: list[Primitive]) -> PolygonBatch:
         """The polygons of recorded primitives."""
         return self._found(
-            tuple(primitives), lambda: assemble_many(primitives, colours=self._colours)
+            tuple(primitives), lambda: assemble_many(primitives, wanted=self._wanted)
         )
 
     def of_batch(self, batch: PolygonBatch) -> PolygonBatch:
@@ -60,11 +60,13 @@ class ContentCache:
 
 
 def _size(batch: PolygonBatch) -> int:
-    return batch.positions.nbytes + batch.corners.nbytes + batch.starts.nbytes
+    given = 0 if batch.normals is None else batch.normals.nbytes
+    return batch.positions.nbytes + batch.corners.nbytes + batch.starts.nbytes + given
 
 
 def _content(batch: PolygonBatch) -> Hashable:
-    return batch.positions.tobytes(), batch.corners.tobytes(), batch.boundary.tobytes()
+    given = None if batch.normals is None else batch.normals.tobytes()
+    return batch.positions.tobytes(), batch.corners.tobytes(), batch.boundary.tobytes(), given
 
 
 def _overlap(state: DrawState, other: Rectangle) -> bool:
@@ -79,9 +81,9 @@ def _overlap(state: DrawState, other: Rectangle) -> bool:
 class LayerCollector:
     """Gathers the polygons of the current layer of one context."""
 
-    def __init__(self, colours: bool = False) -> None:
-        """colours: batches say which polygons have the same colour."""
-        self._content = ContentCache(colours)
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what batches shall come with."""
+        self._content = ContentCache(wanted)
         self._primitives: dict[DrawState, list[Primitive]] = {}
         self._batches: list[Item] = []
         self._last: DrawState | None = None

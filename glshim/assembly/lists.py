@@ -19,13 +19,15 @@ from numpy.typing import NDArray
 
 from ..geometry.transforms import MATRIX_CALLS
 from ..spec.shapes import Shape
-from .batch import PolygonBatch
+from . import normals
+from .batch import POSITIONS, PolygonBatch, Wanted
 from .immediate import assemble_many, concatenate, transformed
 
 _DEPTH_TEST, _MODELVIEW = 0x0B71, 0x1700
 _FILL = 0x1B02
 _NESTING = 64
 _serial = count()
+_CURRENT_BIT = 0x1
 _ID_TYPES = {
     0x1400: np.int8, 0x1401: np.uint8, 0x1402: np.int16, 0x1403: np.uint16, 0x1404: np.int32,
     0x1405: np.uint32, 0x1406: np.float32,
@@ -64,7 +66,8 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class Bare:
-    """Vertices outside any glBegin of this list: legal when it is called inside one."""
+    """Said outside any glBegin of this list: attributes, which hold on, and vertices, which are
+    legal when it is called inside one."""
 
     stream: bytes
 
@@ -107,9 +110,9 @@ class ListPolygons:
 class ListBook:
     """The lists of one share group."""
 
-    def __init__(self, colours: bool = False) -> None:
-        """colours: batches say which polygons have the same colour."""
-        self._colours = colours
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what batches shall come with."""
+        self._wanted = wanted
         self._programs: dict[int, Program] = {}
         self._resolved: dict[tuple[int, int], tuple[ListPolygons, frozenset[int]]] = {}
         self._open: tuple[int, Program] | None = None
@@ -161,7 +164,10 @@ class ListBook:
     def items(self, name: int, depth: int = 0) -> Iterator[Item]:
         """What the list says, nested lists included."""
         program = self._programs.get(name)
-        if program is None or depth > _NESTING:
+        if program is None:  # perhaps one that we did not see: it may set the normal
+            yield Bare(normals.UNKNOWN)
+            return
+        if depth > _NESTING:
             return
         for item in program.items:
             if isinstance(item, Call):
@@ -206,7 +212,7 @@ class ListBook:
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         key = ("list", context, name, next(_serial))
-        walk = _Walk(matrix_mode, shapes, self._colours)
+        walk = _Walk(matrix_mode, shapes, self._wanted)
         walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]
         absolute = tuple(
@@ -222,8 +228,10 @@ class ListBook:
 class _Walk:
     """Runs a list as the driver would, following matrices and the switches that matter."""
 
-    def __init__(self, matrix_mode: int, shapes: ShapePolygons, colours: bool) -> None:
-        self._colours = colours
+    def __init__(self, matrix_mode: int, shapes: ShapePolygons, wanted: Wanted) -> None:
+        self._wanted = wanted
+        self._normal = normals.UNKNOWN if wanted.normals else b""
+        """The record of the normal that holds; the caller's is not known."""
         self.found: list[tuple[PolygonBatch, NDArray[np.float64], bool]] = []
         self._shapes = shapes
         self._mode = matrix_mode
@@ -231,28 +239,50 @@ class _Walk:
         self._loaded = False
         self._stack: list[tuple[NDArray[np.float64], bool]] = []
         self._switches: dict[str, bool] = {"depth": True, "fill": True, "write": True}
-        self._attributes: list[dict[str, bool]] = []
+        self._attributes: list[tuple[dict[str, bool], bytes | None]] = []
         self._pending: list[tuple[int, bytes]] = []
 
     def run(self, items: Iterable[Item]) -> None:
         for item in items:
             if isinstance(item, Primitive):
-                self._pending.append((item.mode, item.stream))
+                self._pending.append((item.mode, self._normal + item.stream))
+                self._say(item.stream)
                 continue
             self._emit()
             if isinstance(item, PolygonBatch):
-                self._take(item)
+                self._draw(item)
+            elif isinstance(item, (Bare, Opening)):
+                self._say(item.stream)
             elif isinstance(item, Change):
                 self._change(item)
             elif isinstance(item, Shape):
                 batch = self._shapes(item)
                 if batch is not None:
                     self._take(batch)
+                self._forget()
         self._emit()
+
+    def _say(self, stream: bytes) -> None:
+        if self._wanted.normals:
+            self._normal = normals.after(stream, self._normal)
+
+    def _forget(self) -> None:
+        """Something has set a normal that is not known."""
+        if self._wanted.normals:
+            self._normal = normals.UNKNOWN
+
+    def _draw(self, batch: PolygonBatch) -> None:
+        """Arrays: without normals of their own they have the one that holds; with some, that is
+        undefined afterwards (OpenGL 2.1, section 2.8)."""
+        if batch.normals is None and self._normal:
+            batch = normals.throughout(batch, self._normal)
+        elif batch.normals is not None:
+            self._forget()
+        self._take(batch)
 
     def _emit(self) -> None:
         if self._pending:
-            batch = assemble_many(self._pending, colours=self._colours)
+            batch = assemble_many(self._pending, wanted=self._wanted)
             self._pending = []
             self._take(batch)
 
@@ -272,10 +302,12 @@ class _Walk:
             if self._mode == _MODELVIEW:
                 self._move(name, args)
         elif name == "glPushAttrib":
-            self._attributes.append(dict(self._switches))
+            kept = self._normal if int(args[0]) & _CURRENT_BIT else None
+            self._attributes.append((dict(self._switches), kept))
         elif name == "glPopAttrib":
             if self._attributes:
-                self._switches = self._attributes.pop()
+                self._switches, kept = self._attributes.pop()
+                self._normal = self._normal if kept is None else kept
         elif name in ("glEnable", "glDisable"):
             if int(args[0]) == _DEPTH_TEST:
                 self._switches["depth"] = name == "glEnable"

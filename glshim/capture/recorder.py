@@ -71,6 +71,8 @@ class Recorder:
         """It ends: what is recorded goes into it, also of a primitive that it leaves open."""
         self.resume: Callable[[int, bytes], None] = lambda mode, records: None
         """A list that was called left a primitive open, with these records in it."""
+        self.settle: Callable[[], None] = lambda: None
+        """Tell the sink what an open list has said outside primitives so far."""
         self.finish: Callable[[], tuple[int, bytes] | None] = lambda: None
         """A list that was called has closed the primitive: its mode and records."""
 
@@ -134,13 +136,18 @@ class Recorder:
         def close_list() -> None:
             nonlocal bare, shadow
             spill()
-            if self.sink is not None and shadow:
-                if bare:
-                    self.sink.bare(stream.getvalue())
-                else:
-                    self.sink.unfinished(mode, stream.getvalue())
+            settle()
+            if self.sink is not None and shadow and not bare:
+                self.sink.unfinished(mode, stream.getvalue())
             bare = shadow = False
             self.list_open = False
+
+        def settle() -> None:
+            if bare:
+                records = stream.getvalue()
+                restart()
+                if self.sink is not None:
+                    self.sink.bare(records)
 
         def restart() -> None:
             nonlocal stream, write
@@ -164,7 +171,7 @@ class Recorder:
 
         self.spill, self.extend = spill, extend
         self.open_list, self.close_list = open_list, close_list
-        self.resume, self.finish = resume, finish
+        self.resume, self.finish, self.settle = resume, finish, settle
         self.position = lambda: stream.tell()  # noqa: PLW0108 - the stream changes
         self.inside = lambda: (deferred or shadow) and not bare and get_ident() == home
 
@@ -174,8 +181,7 @@ class Recorder:
             def begin(*args: Any) -> Any:
                 nonlocal deferred, mode, stream, write, shadow, bare, expected, able, home
                 if bare:
-                    if self.sink is not None:
-                        self.sink.bare(stream.getvalue())
+                    settle()
                     bare = shadow = False
                 new_mode = args[0] if len(args) == 1 else None
                 if not isinstance(new_mode, int):
@@ -206,13 +212,12 @@ class Recorder:
                 nonlocal deferred, shadow, bare, expected
                 if not deferred and not shadow:
                     return real(*args)
-                records = stream.getvalue()
                 if bare:
+                    settle()
                     if self.sink is not None:
-                        self.sink.bare(records)
                         self.sink.stray_end()
-                    restart()
                     return real(*args)
+                records = stream.getvalue()
                 held, deferred, shadow = deferred, False, False
                 try:
                     if held and len(records) >= forward.SMALL:
@@ -377,10 +382,6 @@ class Recorder:
         return raw, wrappers
 
 
-def _none() -> None:
-    """Nothing to do."""
-
-
 def _named(name: str, make: Maker) -> Maker:
     """Hooks that go by the name of what they stand for in Python's own messages."""
 
@@ -397,7 +398,7 @@ def _quick(name: str, make: Maker, bookkeeping: str, count: int) -> Maker:
 
     def make_wrapper(base: Call) -> Call:
         hook: Call | None = None
-        before: Call = _none
+        before: Call = type(None)  # does nothing
 
         def wrapper(this: Any, *args: Any, **named: Any) -> Any:
             nonlocal hook, before

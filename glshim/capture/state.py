@@ -47,6 +47,7 @@ _CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
 _LIGHT_0, _POSITION = 0x4000, 0x1203
 _LIGHTING, _COLOR_MATERIAL, _CURRENT_COLOR = 0x0B50, 0x0B57, 0x0B00
 _FRONT, _DIFFUSE = 0x0404, 0x1201
+_CURRENT_NORMAL = 0x0B02
 _LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
@@ -225,6 +226,15 @@ def colour() -> bytes:
         gl.glGetFloatv(_CURRENT_COLOR, ctypes.addressof(shade))
     row = BY_NAME["glColor4f"]
     return row.pack.pack(*shade, row.tag)
+
+
+def normal() -> bytes:
+    """The record of a glNormal3f with the normal that vertices have until they are given another.
+    Outside glBegin/glEnd."""
+    now = (ctypes.c_float * 4)()
+    gl.glGetFloatv(_CURRENT_NORMAL, ctypes.addressof(now))
+    row = BY_NAME["glNormal3f"]
+    return row.pack.pack(*now[:3], row.tag)
 
 
 def unsupported() -> str:

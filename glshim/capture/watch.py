@@ -41,7 +41,8 @@ class Watcher(PrimitiveSink, Protocol):
         """Instead of :meth:`after`: PyOpenGL refused the arguments, nothing was called."""
 
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
-        """After an IN_PRIMITIVE or list call inside a primitive; ``call`` would say it again."""
+        """After an IN_PRIMITIVE or list call inside a primitive, and the former anywhere in an open
+        list; ``call`` would say it again."""
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish, which ``call`` makes."""
@@ -108,6 +109,7 @@ class Watch:
 
     def _spilling(self, name: str, role: Role) -> Maker:
         opens, closes = role is Role.LIST_OPEN, role is Role.LIST_CLOSE
+        attribute = role is Role.IN_PRIMITIVE
 
         def maker(real: Call) -> Call:
             inside = RECORDER.inside
@@ -115,7 +117,8 @@ class Watch:
             def hook(*args: Any) -> Any:
                 if closes and RECORDER.list_open:
                     RECORDER.close_list()
-                if inside():
+                # In a list an attribute may belong to the primitive that calls it, or the next.
+                if inside() or (attribute and RECORDER.list_open):
                     return self._inside(name, args, real)
                 try:
                     return real(*args)

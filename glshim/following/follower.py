@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
+from ..assembly import normals
+from ..assembly.batch import POSITIONS, Wanted
 from ..assembly.evaluators import evaluator_key
 from ..assembly.fetch import Unfetchable
 from ..assembly.immediate import POLYGON_MODES, QUADS
@@ -15,7 +17,7 @@ from ..assembly.rectangles import rectangle
 from ..capture import forward
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState, colour
+from ..capture.state import DrawState, colour, normal
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
@@ -69,11 +71,13 @@ def contained(method: F) -> F:
 class Follower:
     """A `capture.watch.Watcher` and `capture.clibraries.ShapeWatcher`."""
 
-    def __init__(self, studio: Studio, *, colours: bool = False) -> None:
-        """colours: primitives begin with the colour that they have until they say another."""
+    def __init__(self, studio: Studio, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what polygons shall come with."""
         self.studio = studio
-        self._colours, self._colour = colours, b""
-        self._scenes = Scenes(colours)
+        self._wanted = wanted
+        self._colour = self._normal = b""
+        """Records of what a primitive begins with and has until it says another, if wanted."""
+        self._scenes = Scenes(wanted)
         self._now: Scene | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
         self._elements: list[tuple[int, int]] = []
@@ -91,7 +95,9 @@ class Follower:
         self._open(mode in POLYGON_MODES, self._now)
         if self._now is not None and self._now.needs_list_base:
             self._now.read_list_base()
-        self._colour = colour() if self._colours and self._now is not None else b""
+        if self._now is not None:
+            self._colour = colour() if self._wanted.colours else b""
+            self._normal = normal() if self._wanted.normals else b""
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -105,11 +111,12 @@ class Follower:
         again = self._rerun(mode, stream) if self._reruns else None
         if again is None:
             stream = self._colour + stream
+        # A list begins with the normal of whoever calls it, not with today's.
         scene.compile(Shape(None, again) if again else Primitive(mode, stream))
         if state is not None and again:
             scene.add_shape(state, Shape(None, again))
         elif state is not None:
-            scene.layer.add_primitive(state, mode, stream)
+            scene.layer.add_primitive(state, mode, self._normal + stream)
 
     def _with_elements(self, scene: Scene, stream: bytes) -> bytes:
         """The record with the vertices of glArrayElement in their places."""
@@ -170,14 +177,19 @@ class Follower:
 
     @contained
     def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
-        """Something that is legal inside glBegin/glEnd was called there."""
+        """Something that is legal inside glBegin/glEnd was called there, or in an open list."""
         scene = self._scenes.current()
         if scene is None or scene.refused:
             return
-        if name.startswith("glArrayElement"):
+        if not RECORDER.inside():  # in a list, between its primitives
+            if self._wanted.normals:
+                RECORDER.extend(normals.said(name, args))
+        elif name.startswith("glArrayElement"):
             self._elements.append((RECORDER.position(), _number(args, 0)))
         elif name.startswith("glEval"):
             self._reruns.append((RECORDER.position(), call))
+        elif "Normal" in name and self._wanted.normals:
+            RECORDER.extend(normals.said(name, args))
         elif name.startswith("glCallList"):
             finished = scene.list_called_inside(scene.names(name, args, inside=True))
             if finished is not None:
@@ -251,6 +263,7 @@ class Follower:
         scene.compile(Call(names))
         if state is not None and scene.lists_called(state, names):
             self._now, scene.drawing = scene, state
+            self._colour = self._normal = b""
 
     def _drawn(
         self, scene: Scene, state: DrawState | None, name: str, args: tuple[Any, ...]
@@ -264,7 +277,8 @@ class Follower:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
-                scene.layer.add_primitive(state, QUADS, stream)
+                current = normal() if self._wanted.normals else b""
+                scene.layer.add_primitive(state, QUADS, current + stream)
         else:
             try:
                 batch = scene.fetch.batch(name, args)
@@ -274,6 +288,8 @@ class Follower:
             if batch is not None:
                 scene.compile(batch)
                 if state is not None:
+                    if self._wanted.normals and batch.normals is None:
+                        batch = normals.throughout(batch, normal())
                     scene.layer.add_batch(state, batch)
 
     def _shape(

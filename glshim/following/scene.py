@@ -7,8 +7,8 @@ from collections.abc import Callable, Hashable
 from dataclasses import replace
 from typing import Any
 
-from ..assembly import feedback
-from ..assembly.batch import PolygonBatch
+from ..assembly import feedback, normals
+from ..assembly.batch import POSITIONS, PolygonBatch, Wanted
 from ..assembly.fetch import VertexFetch
 from ..assembly.immediate import scaled
 from ..assembly.layers import LayerCollector
@@ -30,16 +30,16 @@ _MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
 class Scene:
     """The book-keeping of one context. Make it while that context is current."""
 
-    def __init__(self, colours: bool = False) -> None:
-        """colours: batches say which polygons have the same colour."""
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what batches shall come with."""
         self.refused = unsupported()
         """Why nothing can be styled here; empty when it can."""
         self.reader = StateReader()
-        self.layer = LayerCollector(colours)
+        self.layer = LayerCollector(wanted)
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
-        self.lists = ListBook(colours)
-        self.fetch = VertexFetch()
+        self.lists = ListBook(wanted)
+        self.fetch = VertexFetch(wanted)
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
         self._marker = 0
@@ -75,6 +75,8 @@ class Scene:
     def compile(self, item: Item) -> None:
         """Note what an open list holds; without an open list, nothing."""
         if self.lists.open is not None:
+            if not isinstance(item, Bare):
+                RECORDER.settle()  # what was said before it comes before it
             self.lists.open.items.append(item)
             if isinstance(item, (Bare, Closing)):
                 self._partial_lists = True
@@ -111,9 +113,12 @@ class Scene:
         return False
 
     def _resume(self, name: int) -> None:
+        said = b""
         for item in self.lists.items(name):
             if isinstance(item, Opening):
-                RECORDER.resume(item.mode, item.stream)
+                RECORDER.resume(item.mode, normals.after(said, normals.UNKNOWN) + item.stream)
+            # The list's own normal before it, if nothing else came between.
+            said = item.stream if isinstance(item, Bare) else b""
 
     def list_called_inside(self, names: tuple[int, ...]) -> tuple[int, bytes] | None:
         """Lists were called inside a primitive: they add vertices. Mode and stream of the primitive
@@ -129,9 +134,10 @@ class Scene:
     # -- vertices and shapes ---------------------------------------------------------------------
 
     def array_element(self, index: int) -> bytes:
-        """The record of the vertex of a glArrayElement call."""
+        """The records of the vertex of a glArrayElement call."""
         row = BY_NAME["glVertex3f"]
-        return row.pack.pack(*self.fetch.element(index), row.tag)
+        vertex = row.pack.pack(*self.fetch.element(index), row.tag)
+        return self.fetch.element_normal(index) + vertex
 
     def polygons(self, shape: Shape) -> PolygonBatch | None:
         """Polygons of a shape that C code draws, from feedback mode the first time."""
@@ -170,8 +176,8 @@ class Scene:
 class Scenes:
     """The scenes of this process by context."""
 
-    def __init__(self, colours: bool = False) -> None:
-        self._colours = colours
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        self._wanted = wanted
         self._by_context: dict[int, Scene] = {}
 
     def current(self) -> Scene | None:
@@ -181,7 +187,7 @@ class Scenes:
             return None
         scene = self._by_context.get(handle)
         if scene is None:
-            scene = self._by_context[handle] = Scene(self._colours)
+            scene = self._by_context[handle] = Scene(self._wanted)
             if scene.refused:
                 say_unstyled(scene.refused)
         return scene

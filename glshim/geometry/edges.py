@@ -10,7 +10,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch, regions_of
+from glshim.assembly.batch import PolygonBatch, normals_of, regions_of
 from glshim.geometry.camera import cofactors
 from glshim.geometry.vectors import cross, unit
 
@@ -144,6 +144,7 @@ def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
         np.append(starts, corners[-1]).astype(np.int32),
         np.concatenate([b.boundary for b in batches]),
         regions=regions_of(batches),
+        normals=normals_of(batches),
     )
 
 

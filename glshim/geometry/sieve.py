@@ -1,4 +1,4 @@
-"""Which edges may be features, before the GPU decides: those that surely are none are left out.
+"""Which edges or triangles may have lines, before the GPU decides; what surely has none goes.
 
 Of 200,000 edges a few thousand remain. One product a triangle and one look-up an edge finds them,
 which a processor does sooner than a driver in software runs equation 1 for every vertex.
@@ -11,11 +11,15 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.geometry.creases import Creases
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, EdgeMesh
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.vectors import dot
 
 Ints = NDArray[np.int32]
+CREASE, SMOOTH = 32, 64
+"""Bits of triangles beside those of `features`: one that is seen has a crease; contours of the
+smooth surface, zeros of n.c, pass through it."""
 _ROUNDING = 2e-6
 """Of float32 in a facing test, over the lengths that go into it; for slivers it is more."""
 _SLACK = 1e-4
@@ -23,21 +27,51 @@ _SLACK = 1e-4
 _BACK, _FRONT, _EITHER = 0, 1, 2
 
 
-class EdgeSieve:
-    """Candidates among the edges of a mesh that does not move."""
+class Facing:
+    """Which side of the triangles of a mesh is seen."""
 
-    def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
-        normals = mesh.normals
+    def __init__(self, mesh: Mesh) -> None:
         corners = [mesh.positions[mesh.triangles[:, k]].astype(np.float64) for k in range(3)]
         middle = np.mean(corners, axis=0)
         sides = [corners[k] - corners[k - 1] for k in range(3)]
         longest = np.max([dot(side, side) for side in sides], axis=0, initial=0.0)
         area = np.linalg.norm(np.cross(sides[1], sides[2]), axis=1)
-        planes = np.concatenate((normals, -dot(normals, middle)[:, None]), axis=1)
+        planes = np.concatenate((mesh.normals, -dot(mesh.normals, middle)[:, None]), axis=1)
         self._planes = np.ascontiguousarray(planes.T, np.float32)
         slack = _ROUNDING * (1.0 + longest / np.maximum(area, 1e-300))
         self._slack = np.minimum(slack, 1e30).astype(np.float32)
         self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
+
+    def seen(self, eye: NDArray[np.floating]) -> NDArray[np.uint8]:
+        """(T,) front, back, or either where rounding decides, from eye (4,) homogeneous."""
+        reach = np.float32(reach_of(eye, self._radius))
+        value = _at(eye, self._planes)
+        found: NDArray[np.uint8] = (value > self._slack * reach).view(np.uint8)
+        found[np.abs(value) <= self._slack * reach] = _EITHER
+        return found
+
+
+def reach_of(eye: NDArray[np.floating], radius: float) -> float:
+    """What lengths go into a product with an eye (4,), of points within a radius."""
+    return float(np.linalg.norm(eye[:3])) + radius * abs(float(eye[3]))
+
+
+def _at(eye: NDArray[np.floating], planes: NDArray[np.float32]) -> NDArray[np.float32]:
+    """(N,) products of planes (4, N) with an eye (4,)."""
+    # No matrix product: its threads would wait for those that draw.
+    x, y, z, w = np.asarray(eye, np.float32)
+    value = planes[0] * x
+    for part, plane in zip((y, z, w), planes[1:], strict=True):
+        value += part * plane
+    return np.asarray(value)
+
+
+class EdgeSieve:
+    """Candidates among the edges of a mesh that does not move."""
+
+    def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
+        normals = mesh.normals
+        self._facing = Facing(mesh)
         a, b = mesh.faces[edges.rows].T
         b = np.where(b < 0, a, b)
         self._a, self._b = a.astype(np.intp), b.astype(np.intp)
@@ -56,15 +90,7 @@ class EdgeSieve:
         eye (4,) homogeneous, in rising order. angles of ridges and valleys in radians."""
         found = self._fixed(wanted, angles)
         if wanted & CONTOUR:
-            # No matrix product: its threads would wait for those that draw.
-            x, y, z, w = np.asarray(eye, np.float32)
-            value = self._planes[0] * x
-            for part, plane in zip((y, z, w), self._planes[1:], strict=True):
-                value += part * plane
-            reach = float(np.linalg.norm(eye[:3])) + self._radius * abs(float(eye[3]))
-            slack = self._slack * np.float32(reach)
-            facing = (value > slack).view(np.uint8)
-            facing[np.abs(value) <= slack] = _EITHER
+            facing = self._facing.seen(eye)
             one, other = facing.take(self._a), facing.take(self._b)
             contours = one != other
             contours |= one == _EITHER
@@ -84,3 +110,34 @@ class EdgeSieve:
             if wanted & bit:
                 found |= self._creases & (self._product < -np.cos(angle) + _SLACK)
         return found
+
+
+class TriangleSieve:
+    """Candidates among the triangles of a mesh that does not move."""
+
+    def __init__(self, creases: Creases) -> None:
+        mesh = creases.mesh
+        self._facing = Facing(mesh)
+        self._creased = np.flatnonzero(creases.sides.any(axis=1))
+        self._sheet = ~mesh.closed[self._creased]
+        points = mesh.positions[creases.vertices].astype(np.float64)
+        products = -dot(creases.normals.astype(np.float64), points)
+        self._planes = np.ascontiguousarray(np.c_[creases.normals, products].T, np.float32)
+        self._triangles = np.ascontiguousarray(creases.triangles.T, np.intp)
+        self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
+
+    def candidates(self, eye: NDArray[np.floating], wanted: int) -> Ints:
+        """Triangles that may have one of the wanted lines, ``CREASE`` and ``SMOOTH``, seen from
+        eye (4,) homogeneous, in rising order."""
+        found = np.zeros(self._triangles.shape[1], np.bool_)
+        if wanted & CREASE:
+            facing = self._facing.seen(eye).take(self._creased)
+            found[self._creased] = self._sheet | (facing != _BACK)
+        if wanted & SMOOTH:
+            value = _at(eye, self._planes)
+            slack = np.float32(_ROUNDING * reach_of(eye, self._radius))
+            before, behind = value > -slack, value < slack
+            some = np.logical_or.reduce([before.take(row) for row in self._triangles])
+            some &= np.logical_or.reduce([behind.take(row) for row in self._triangles])
+            found |= some
+        return np.flatnonzero(found).astype(np.int32)

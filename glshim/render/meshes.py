@@ -14,20 +14,21 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
+from glshim.geometry.creases import Creases, Criterion
 from glshim.geometry.edge_mesh import EdgeMesh, edge_mesh, inner_sides
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.outward import outward
 from glshim.render.driver import gl
 from glshim.render.objects import Objects
-from glshim.render.sieved import Sieved, adjacency_of
+from glshim.render.sieved import Sieved
 from glshim.render.uploads import Indices, delete, upload
 from glshim.styling.passes import Element
 
 UNITS = {
     "mesh_positions": 6, "mesh_normals": 7, "mesh_edges": 8, "mesh_triangles": 9,
     "next_positions": 10, "next_normals": 11, "mesh_bones": 10, "mesh_weights": 11,
-    "mesh_rest": 12,
+    "mesh_rest": 12, "mesh_creases": 10,
 }  # fmt: skip
 _TEXTURE_0, _TEXTURE_2D = 0x84C0, 0x0DE1
 
@@ -38,6 +39,8 @@ class Resident:
 
     mesh: Mesh
     edges: EdgeMesh
+    creases: Creases | None
+    """With these its vertices are topology vertices."""
     textures: dict[str, int]
     nbytes: int
     sieved: Sieved
@@ -62,7 +65,8 @@ class Resident:
             found.bind()
             return
         found = self._indices[element] = Indices()
-        found.fill(self.mesh.triangles if element == "surface" else adjacency_of(self.mesh))
+        own = self.creases or self.mesh
+        found.fill(own.triangles if element == "surface" else self.sieved.adjacency)
 
     def free(self) -> None:
         """Delete the textures and buffers."""
@@ -105,18 +109,27 @@ class Residents:
         self._kept.tick()
         self._rests.tick()
 
-    def find(self, batches: Sequence[PolygonBatch], tolerance: float = 0.0) -> Resident:
+    def find(
+        self,
+        batches: Sequence[PolygonBatch],
+        criterion: Criterion | None = None,
+        tolerance: float = 0.0,
+    ) -> Resident:
         """The mesh that batches of one object space make together, welded with a tolerance in
-        object units. Valid until `release`."""
+        object units, and parted at its creases where a criterion says what those are. Valid until
+        `release`."""
         parts = tuple(batch.key for batch in batches)
-        still, keys = None not in parts, (parts, tolerance)
+        still, key = None not in parts, (parts, criterion, tolerance)
         if still:
-            found = self._kept.get(keys)
+            found = self._kept.get(key)
             if found is not None:
                 return found
-        made = _resident(self._objects.mesh(batches, tolerance))
+        mesh = self._objects.mesh(batches, tolerance)
+        made = _resident(mesh) if criterion is None else _creased(
+            mesh, self._objects.creases(mesh, criterion)
+        )
         if still:
-            return self._kept.put(keys, made, made.nbytes)
+            return self._kept.put(key, made, made.nbytes)
         self._passing.append(made)
         return made
 
@@ -138,19 +151,41 @@ class Residents:
 
 
 def _resident(mesh: Mesh) -> Resident:
+    """A mesh as it is."""
     edges = edge_mesh(mesh)
-    triangles = np.empty((len(mesh.triangles), 4), np.int32)
-    triangles[:, :3] = mesh.triangles
-    triangles[:, 3] = mesh.closed
-    sources: dict[str, NDArray[np.generic]] = {
+    return _uploaded(mesh, edges, None, {
         "mesh_positions": _four(mesh.positions),
         "mesh_normals": _shorts(_outwards(mesh)),
         "mesh_edges": np.concatenate((edges.indices, inner_sides(mesh, edges))),
-        "mesh_triangles": triangles,
-    }
-    textures = {name: upload(rows) for name, rows in sources.items()}
-    nbytes = sum(rows.nbytes for rows in sources.values())
-    return Resident(mesh, edges, textures, nbytes, Sieved(mesh, edges))
+        "mesh_triangles": _triangles(mesh.triangles, mesh.closed),
+    })  # fmt: skip
+
+
+def _creased(mesh: Mesh, found: Creases) -> Resident:
+    """A mesh by its topology vertices, the first of which are its vertices. Normals in whole
+    floats: contours are their zeros."""
+    edges = edge_mesh(mesh)
+    bits = (1, 2, 4) @ found.sides.T | 8 * ((1, 2, 4) @ found.open.T)
+    turned = np.where(outward(mesh) < 0.0, -1.0, 1.0)[found.vertices]
+    return _uploaded(mesh, edges, found, {
+        "mesh_positions": _four(mesh.positions[found.vertices]),
+        "mesh_normals": _four(found.normals * turned[:, None]),
+        "mesh_edges": edges.indices,
+        "mesh_triangles": _triangles(found.triangles, mesh.closed + 2 * bits),
+        "mesh_creases": found.differences,
+    })  # fmt: skip
+
+
+def _uploaded(
+    mesh: Mesh, edges: EdgeMesh, creases: Creases | None, rows: dict[str, NDArray[np.generic]]
+) -> Resident:
+    textures = {name: upload(own) for name, own in rows.items()}
+    nbytes = sum(own.nbytes for own in rows.values())
+    return Resident(mesh, edges, creases, textures, nbytes, Sieved(mesh, edges, creases))
+
+
+def _triangles(vertices: NDArray[np.int32], flags: NDArray[np.generic]) -> NDArray[np.int32]:
+    return np.concatenate((vertices, flags[:, None]), axis=1, dtype=np.int32, casting="unsafe")
 
 
 def _outwards(mesh: Mesh) -> NDArray[np.float64]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
+from glshim.geometry.creases import Creases, Criterion, creases
 from glshim.geometry.edges import join
 from glshim.geometry.feature_lines import EdgeLines
 from glshim.geometry.folds import Topology
@@ -27,11 +28,14 @@ class Objects:
         self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
         self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
         self._topologies: WeakValueDictionary[int, Topology] = WeakValueDictionary()
+        self._creases: AgingCache[Creases] = AgingCache(most_bytes)
+        self._parted: WeakValueDictionary[tuple[int, Criterion], Creases] = WeakValueDictionary()
         self._reported = False
 
     def tick(self) -> None:
         """A layer has passed."""
         self._whole.tick()
+        self._creases.tick()
         for meshes in self._meshes.values():
             meshes.tick()
 
@@ -69,6 +73,21 @@ class Objects:
             known = self._topologies.get(id(mesh.triangles))
             found = self._lines[mesh] = EdgeLines(mesh, topology=known)
             self._topologies[id(mesh.triangles)] = found.topology
+        return found
+
+    def creases(self, mesh: Mesh, criterion: Criterion) -> Creases:
+        """The creases of a mesh, by a criterion."""
+        found = self._creases.get((id(mesh), criterion))  # of a mesh that it holds
+        if found is None:
+            before = self._parted.get((id(mesh.triangles), criterion))
+            # A mesh that moved keeps its array of triangles.
+            found = (
+                before.moved(mesh, mesh.corner_normals)
+                if before
+                else creases(mesh, mesh.corner_normals, **criterion._asdict())
+            )
+            self._creases.put((id(mesh), criterion), found, found.nbytes)
+            self._parted[id(mesh.triangles), criterion] = found
         return found
 
     def placed(

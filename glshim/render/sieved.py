@@ -4,14 +4,16 @@ triangles with adjacency."""
 from __future__ import annotations
 
 from collections.abc import Hashable
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.geometry.creases import Creases
 from glshim.geometry.edge_mesh import EdgeMesh
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.geometry.sieve import EdgeSieve
+from glshim.geometry.sieve import EdgeSieve, TriangleSieve
 from glshim.render.driver import gl
 from glshim.render.uploads import Indices, delete, upload
 from glshim.styling.passes import Element, Sieve
@@ -21,32 +23,40 @@ UNIT = 12
 Ints = NDArray[np.int32]
 
 
-def adjacency_of(mesh: Mesh) -> Ints:
-    """(T, 6) the triangles of a mesh with their neighbours' vertices."""
-    return with_adjacency(mesh.triangles, twins(mesh))
-
-
 class Sieved:
     """Of one mesh, for the last eye that looked. Use it inside the guard."""
 
-    def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
-        self._source = mesh, edges
-        self._sieve: EdgeSieve | None = None
+    def __init__(self, mesh: Mesh, edges: EdgeMesh, creases: Creases | None) -> None:
+        self._mesh, self._edges, self._creases = mesh, edges, creases
         self._last: Hashable = None
-        self._adjacency: Ints | None = None
         self._indices: Indices | None = None
         self._texture = self._count = 0
+
+    @cached_property
+    def adjacency(self) -> Ints:
+        """(T, 6) the triangles with the vertices across their sides."""
+        if self._creases is not None:
+            return self._creases.adjacency
+        return with_adjacency(self._mesh.triangles, twins(self._mesh))
+
+    @cached_property
+    def _edge_sieve(self) -> EdgeSieve:
+        return EdgeSieve(self._mesh, self._edges)
+
+    @cached_property
+    def _triangle_sieve(self) -> TriangleSieve | None:
+        return None if self._creases is None else TriangleSieve(self._creases)
 
     def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
         """Bind the texture of the elements that remain at `UNIT`, and of triangles their indices to
         the vertex array; how many those are."""
         key = eye.tobytes(), sieve, element
         if key != self._last:
-            if self._sieve is None:
-                self._sieve = EdgeSieve(*self._source)
-            rows = self._sieve.candidates(eye, sieve.wanted, sieve.angles)
+            rows = self._remaining(eye, sieve, element)
             if element == "adjacency":
-                rows = self._triangles(rows)
+                if self._indices is None:
+                    self._indices = Indices()
+                self._indices.fill(self.adjacency.take(rows, axis=0))
             self._forget()
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
@@ -57,18 +67,16 @@ class Sieved:
         gl.glBindTexture(0x0DE1, self._texture)
         return self._count
 
-    def _triangles(self, rows: Ints) -> Ints:
-        """The triangles at edges (rows of the edge mesh), and their indices."""
-        mesh, edges = self._source
-        if self._adjacency is None:
-            self._adjacency = adjacency_of(mesh)
-        if self._indices is None:
-            self._indices = Indices()
-        here = np.zeros(len(mesh.triangles) + 1, np.bool_)  # the last one is none, -1
-        here[mesh.faces[edges.rows[rows]]] = True
-        found = np.flatnonzero(here[:-1]).astype(np.int32)
-        self._indices.fill(self._adjacency.take(found, axis=0))
-        return found
+    def _remaining(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> Ints:
+        """The elements that remain, in rising order."""
+        if self._triangle_sieve is not None:
+            return self._triangle_sieve.candidates(eye, sieve.wanted)
+        rows = self._edge_sieve.candidates(eye, sieve.wanted, sieve.angles)
+        if element != "adjacency":
+            return rows
+        here = np.zeros(len(self._mesh.triangles) + 1, np.bool_)  # the last one is none, -1
+        here[self._mesh.faces[self._edges.rows[rows]]] = True
+        return np.flatnonzero(here[:-1]).astype(np.int32)
 
     def _forget(self) -> None:
         if self._texture:

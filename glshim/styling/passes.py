@@ -12,6 +12,7 @@ from typing import Literal
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
+from glshim.geometry.creases import Criterion
 from glshim.geometry.poses import Pose
 from glshim.styling.pictures import Image
 from glshim.styling.values import Layer, Uniform
@@ -85,12 +86,13 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Sieve:
-    """Edges that equation 1 surely calls none of these are left out before the shader decides.
-    Of meshes that a pose moves none are."""
+    """Elements that surely are none of these are left out before the shader decides. Of meshes that
+    a pose moves none are. Triangles with adjacency stay for the sake of their edges, or where the
+    pass has creases for the bits of `glshim.geometry.sieve`."""
 
     wanted: int
-    """Bits of `glshim.geometry.edge_mesh.features`."""
-    angles: tuple[float, float]
+    """Bits of `glshim.geometry.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
+    angles: tuple[float, float] = (0.0, 0.0)
     """Of ridges and valleys, radians."""
 
 
@@ -116,8 +118,10 @@ class Pass:
     pose: Pose | None = None
     """How the shader moves vertices before anything else; None: as the app sent them."""
     sieve: Sieve | None = None
-    """For edges, and triangles with adjacency, which are those that have such an edge: which of
-    them may be left out; None: none."""
+    """For edges and triangles with adjacency: which of them may be left out; None: none."""
+    creases: Criterion | None = None
+    """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
+    sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""
     tolerance: float = 0.0
     """Object units: corners no further apart are one vertex."""
     buffer: bool = False

@@ -34,11 +34,16 @@ bool is_front(int a, int b, int c) {
     return (dot(area, towards(eye, place[a])) > 0.0) == even;
 }
 
-// How the two triangles meet, for the spine test.
+// How the two triangles meet, for the spine test; both say the same. Only what has an outside is
+// hollow anywhere: of a sheet the nearer triangle is seen, and that folds away.
 int kind_of(int a, int b, int c, int across) {
     vec3 own = cross(place[b] - place[a], place[c] - place[a]);
     vec3 other = cross(place[across] - place[a], place[b] - place[a]);
-    if (facing * dot(place[across] - place[a], own) > 0.0) return HOLLOW;
+    if ((triangle_at(element()).w & 1) == 1) {
+        vec3 out_of = normal(number[a]) + normal(number[b]) + normal(number[c]);
+        float rise = dot(place[across] - place[a], own);
+        if (dot(out_of, own) < 0.0 ? rise < 0.0 : rise > 0.0) return HOLLOW;
+    }
     float lengths = length(own) * length(other);
     return dot(own, other) < -SHARP * lengths ? RING : CONTOUR;
 }
@@ -81,18 +86,20 @@ void emit(int a, int b, int c, int shape) {
         reach = vec3(t, s, z);
         decided = float(short_one);
         gl_Position = on_screen(from.xy + t * v + s * n);
-        gl_Position.z = 2.0 * (away * z - away * range.x) / (away * range.y - away * range.x) - 1.0;
+        gl_Position.z = 2.0 * (z - range.x) / (range.y - range.x) - 1.0;
         EmitVertex();
     }
     EndPrimitive();
 }
 
+// In the article the front triangle draws the edge; here the one whose corner off it has the lesser
+// number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
 void main() {
     bool front = is_front(0, 2, 4);
     for (int k = 0; k < 6; k += 2) {
         int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
-        bool alone = number[across] == number[a];
-        if (alone || (front && !is_front(a, across, b)))
-            emit(a, b, c, alone ? FIN : kind_of(a, b, c, across));
+        if (number[across] == number[a]) emit(a, b, c, RING);
+        else if (number[c] <= number[across] && front != is_front(a, across, b))
+            emit(a, b, c, kind_of(a, b, c, across));
     }
 }

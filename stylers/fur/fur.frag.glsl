@@ -30,7 +30,7 @@ vec4 random_of(ivec3 at) {
 }
 
 float depth_of(vec2 zw) {
-    return away * mix(range.x, range.y, 0.5 * zw.x / zw.y + 0.5);
+    return mix(range.x, range.y, 0.5 * zw.x / zw.y + 0.5);
 }
 
 // The app's colour where a hair grows, alpha 0 where it is not to be had.

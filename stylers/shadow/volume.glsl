@@ -2,10 +2,9 @@
 // infinity.
 
 uniform bool mirrored;   // the camera turns windings round
-uniform vec2 range;      // window depth of the near and the far plane
 
 // A direction of clip space that leads away from the viewer.
-float deeper() { return away * sign(range.y - range.x); }
+float deeper() { return sign(range.y - range.x); }
 
 // Whether a triangle has a source (the light or the eye) before it. Caps and sides must not
 // disagree, not even about a triangle that a ray only grazes: so the corners are taken in the order

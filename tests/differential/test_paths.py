@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
+from glshim.geometry.recovery.mesh import mesh
 from tests import look
 
+from .gathering import gathered
 from .scenes_lists import recorded
 from .test_contexts import INK, VISIBLE, inked
 from .world import App, Outcome, run
@@ -22,6 +24,9 @@ QUADS = MESH.corners.reshape(-1, 4)
 POINTS = np.ascontiguousarray(MESH.positions, np.float32)
 ORDER = np.ascontiguousarray(QUADS.reshape(-1), np.uint32)
 UNROLLED = np.ascontiguousarray(POINTS[ORDER])
+NORMALS = (mesh(MESH).vertex_normals[mesh(MESH).weld] * 3.0).astype(np.float32)
+"""(V, 3) not of unit length: what is sent is what counts."""
+SENT = np.ascontiguousarray(NORMALS[ORDER])
 Path = Callable[[App], None]
 PATHS: dict[str, Path] = {}
 
@@ -42,7 +47,8 @@ def look_down() -> None:
 @path
 def immediate_mode(app: App) -> None:
     GL.glBegin(GL.GL_QUADS)
-    for point in UNROLLED.tolist():
+    for point, normal in zip(UNROLLED.tolist(), SENT.tolist(), strict=True):
+        GL.glNormal3fv(normal)
         GL.glVertex3fv(point)
     GL.glEnd()
 
@@ -52,14 +58,34 @@ def many_small_primitives(app: App) -> None:
     for quad in QUADS:
         GL.glBegin(GL.GL_POLYGON)
         for corner in quad:
+            GL.glNormal3d(*NORMALS[corner].tolist())
             GL.glVertex3f(*POINTS[corner].tolist())
         GL.glEnd()
 
 
 @path
+def the_first_normal_before_each_primitive(app: App) -> None:
+    for quad in QUADS:
+        GL.glNormal3f(*NORMALS[quad[0]].tolist())
+        GL.glBegin(GL.GL_POLYGON)
+        for place, corner in enumerate(quad):
+            if place:
+                GL.glNormal3f(*NORMALS[corner].tolist())
+            GL.glVertex3f(*POINTS[corner].tolist())
+        GL.glEnd()
+
+
+@path
+def normals_between_the_primitives_of_a_list(app: App) -> None:
+    recorded(1, lambda: the_first_normal_before_each_primitive(app))
+    GL.glCallList(1)
+
+
+@path
 def homogeneous_vertices(app: App) -> None:
     GL.glBegin(GL.GL_QUADS)
-    for x, y, z in UNROLLED.tolist():
+    for (x, y, z), normal in zip(UNROLLED.tolist(), SENT, strict=True):
+        GL.glNormal3dv(normal.astype(float))
         GL.glVertex4f(2.0 * x, 2.0 * y, 2.0 * z, 2.0)
     GL.glEnd()
 
@@ -67,7 +93,8 @@ def homogeneous_vertices(app: App) -> None:
 @path
 def with_materials_between(app: App) -> None:
     GL.glBegin(GL.GL_QUADS)
-    for point in UNROLLED.tolist():
+    for point, normal in zip(UNROLLED.tolist(), SENT.tolist(), strict=True):
+        GL.glNormal3f(*normal)
         GL.glMaterialf(GL.GL_FRONT, GL.GL_SHININESS, 3.0)
         GL.glVertex3fv(point)
     GL.glEnd()
@@ -94,7 +121,8 @@ def nested_lists_with_matrices(app: App) -> None:
 
     def back() -> None:
         GL.glBegin(GL.GL_QUADS)
-        for x, y, z in UNROLLED.astype(float):
+        for (x, y, z), normal in zip(UNROLLED.astype(float), SENT, strict=True):
+            GL.glNormal3fv(normal)
             GL.glVertex3d(x - 0.5, y, z - 0.25)
         GL.glEnd()
 
@@ -107,35 +135,49 @@ def nested_lists_with_matrices(app: App) -> None:
 def list_of_bare_vertices(app: App) -> None:
     half = len(UNROLLED) // 2
 
-    def vertices(part: np.ndarray) -> None:
-        for point in part:
+    def vertices(part: slice) -> None:
+        for point, normal in zip(UNROLLED[part], SENT[part], strict=True):
+            GL.glNormal3fv(normal)
             GL.glVertex3fv(point)
 
-    recorded(1, lambda: vertices(UNROLLED[half:]))
+    recorded(1, lambda: vertices(slice(half, None)))
     GL.glListBase(-1 & 0xFFFFFFFF)
     GL.glBegin(GL.GL_QUADS)
-    vertices(UNROLLED[:half])
+    vertices(slice(half))
     GL.glCallLists(np.array([2], np.uint8))
     GL.glEnd()
 
 
 @path
 def begun_and_ended_in_lists(app: App) -> None:
-    recorded(1, lambda: GL.glBegin(GL.GL_QUADS))
-    recorded(2, lambda: [GL.glVertex3fv(p) for p in UNROLLED] and GL.glEnd())
+    def begin() -> None:
+        GL.glNormal3fv(SENT[0])
+        GL.glBegin(GL.GL_QUADS)
+
+    def end() -> None:
+        GL.glVertex3fv(UNROLLED[0])
+        for point, normal in zip(UNROLLED[1:], SENT[1:], strict=True):
+            GL.glNormal3fv(normal)
+            GL.glVertex3fv(point)
+        GL.glEnd()
+
+    recorded(1, begin)
+    recorded(2, end)
     GL.glCallList(1)
     with suppress(GL.GLError):  # PyOpenGL's own: it asks for errors inside the primitive
         GL.glCallList(2)
 
 
-def _pointer(app: App, points: np.ndarray) -> None:
+def _pointer(app: App, points: np.ndarray, normals: np.ndarray) -> None:
     GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
     GL.glVertexPointer(points.shape[1], GL.GL_FLOAT, 0, app.keeps(points))
+    GL.glEnableClientState(GL.GL_NORMAL_ARRAY)
+    GL.glNormalPointer(GL.GL_FLOAT, 0, app.keeps(normals))
 
 
 @path
 def draw_arrays(app: App) -> None:
-    _pointer(app, UNROLLED)
+    _pointer(app, UNROLLED, SENT)
     GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
 
 
@@ -145,50 +187,55 @@ def draw_arrays_with_stride_and_doubles(app: App) -> None:
     wide[3:, 1:4] = UNROLLED
     GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
     GL.glVertexPointer(3, GL.GL_DOUBLE, 40, ctypes.c_void_p(wide.ctypes.data + 8))
+    normals = app.keeps(np.zeros((len(UNROLLED) + 3, 4)))
+    normals[3:, :3] = SENT
+    GL.glEnableClientState(GL.GL_NORMAL_ARRAY)
+    GL.glNormalPointer(GL.GL_DOUBLE, 32, ctypes.c_void_p(normals.ctypes.data))
     GL.glDrawArrays(GL.GL_QUADS, 3, len(UNROLLED))
 
 
 @path
 def interleaved_arrays(app: App) -> None:
-    data = np.hstack([np.tile(np.float32([0, 0, 1]), (len(UNROLLED), 1)), UNROLLED])
+    data = np.hstack([SENT, UNROLLED])
     GL.glInterleavedArrays(GL.GL_N3F_V3F, 0, app.keeps(np.ascontiguousarray(data)))
     GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
 
 
 @path
 def draw_elements(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
     GL.glDrawElements(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_INT, app.keeps(ORDER))
 
 
 @path
 def draw_elements_of_bytes(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
     GL.glDrawElements(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_BYTE, app.keeps(ORDER.astype("u1")))
 
 
 @path
 def draw_range_elements(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
     GL.glDrawRangeElements(GL.GL_QUADS, 0, len(POINTS), len(ORDER), GL.GL_UNSIGNED_INT, ORDER)
 
 
 @path
 def base_vertex(app: App) -> None:
-    _pointer(app, np.vstack([np.zeros((5, 3), np.float32), POINTS]))
+    room = np.zeros((5, 3), np.float32)
+    _pointer(app, np.vstack([room, POINTS]), np.vstack([room, NORMALS]))
     GL.glDrawElementsBaseVertex(GL.GL_QUADS, len(ORDER), GL.GL_UNSIGNED_INT, ORDER, 5)
 
 
 @path
 def multi_draw_arrays(app: App) -> None:
-    _pointer(app, UNROLLED)
+    _pointer(app, UNROLLED, SENT)
     firsts = np.arange(0, len(UNROLLED), 4, dtype=np.int32)
     GL.glMultiDrawArrays(GL.GL_QUADS, firsts, np.full(len(firsts), 4, np.int32), len(firsts))
 
 
 @path
 def multi_draw_elements(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
     half = len(ORDER) // 8 * 4
     pointers = (ctypes.c_void_p * 2)(ORDER.ctypes.data, ORDER.ctypes.data + 4 * half)
     counts = np.array([half, len(ORDER) - half], np.int32)
@@ -197,7 +244,7 @@ def multi_draw_elements(app: App) -> None:
 
 @path
 def array_elements(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
     GL.glBegin(GL.GL_QUADS)
     for index in ORDER:
         GL.glArrayElement(int(index))
@@ -206,7 +253,7 @@ def array_elements(app: App) -> None:
 
 @path
 def array_elements_in_a_list(app: App) -> None:
-    _pointer(app, POINTS)
+    _pointer(app, POINTS, NORMALS)
 
     def body() -> None:
         GL.glBegin(GL.GL_QUADS)
@@ -214,10 +261,12 @@ def array_elements_in_a_list(app: App) -> None:
             if place % 3:
                 GL.glArrayElement(index)
             else:
+                GL.glNormal3fv(NORMALS[index])
                 GL.glVertex3fv(POINTS[index])
         GL.glEnd()
 
     recorded(1, body)
+    GL.glDisableClientState(GL.GL_NORMAL_ARRAY)
     GL.glDisableClientState(GL.GL_VERTEX_ARRAY)
     GL.glCallList(1)
 
@@ -231,14 +280,19 @@ def _buffer(target: int, data: np.ndarray) -> int:
 
 @path
 def buffer_object(app: App) -> None:
-    _buffer(GL.GL_ARRAY_BUFFER, UNROLLED)
+    _buffer(GL.GL_ARRAY_BUFFER, np.hstack([UNROLLED, SENT]))
     GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
-    GL.glVertexPointer(3, GL.GL_FLOAT, 0, ctypes.c_void_p(0))
+    GL.glVertexPointer(3, GL.GL_FLOAT, 24, ctypes.c_void_p(0))
+    GL.glEnableClientState(GL.GL_NORMAL_ARRAY)
+    GL.glNormalPointer(GL.GL_FLOAT, 24, ctypes.c_void_p(12))
     GL.glDrawArrays(GL.GL_QUADS, 0, len(UNROLLED))
 
 
 @path
 def indexed_buffer_objects_rewritten(app: App) -> None:
+    _buffer(GL.GL_ARRAY_BUFFER, NORMALS)
+    GL.glEnableClientState(GL.GL_NORMAL_ARRAY)
+    GL.glNormalPointer(GL.GL_FLOAT, 0, ctypes.c_void_p(0))
     _buffer(GL.GL_ARRAY_BUFFER, np.zeros_like(POINTS))
     _buffer(GL.GL_ELEMENT_ARRAY_BUFFER, ORDER)
     GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
@@ -257,10 +311,11 @@ def vertex_array_object(app: App) -> None:
 
 @path
 def arrays_in_a_list(app: App) -> None:
-    points = UNROLLED.copy()
-    _pointer(app, points)
+    points, normals = UNROLLED.copy(), SENT.copy()
+    _pointer(app, points, normals)
     recorded(1, lambda: GL.glDrawArrays(GL.GL_QUADS, 0, len(points)))
-    points[:] = 0.0
+    points[:], normals[:] = 0.0, 0.0
+    GL.glDisableClientState(GL.GL_NORMAL_ARRAY)
     GL.glDisableClientState(GL.GL_VERTEX_ARRAY)
     GL.glCallList(1)
 
@@ -284,6 +339,27 @@ def test_every_path_gives_the_same_lines(name: str) -> None:
     assert [said for said in outcome.saw if said != "0"] == []
     different = (outcome.picture != reference().picture).any(axis=2)
     assert different.sum() <= (12 if name in ROUNDED else 0)
+
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_every_path_gives_the_normals_that_were_sent(name: str) -> None:
+    batches = gathered(PATHS[name])
+    assert all(batch.normals is not None for batch in batches)
+    points = np.concatenate([b.positions[b.corners] for b in batches])
+    normals = np.concatenate([b.normals for b in batches])
+    if name == "indexed_buffer_objects_rewritten":  # its first draw has no extent
+        points, normals = points[len(ORDER) :], normals[len(ORDER) :]
+    assert points.shape == normals.shape == (len(ORDER), 3)
+    apart = np.abs(points[:, None] - POINTS).max(axis=2)
+    assert apart.min(axis=1).max() < 1e-6
+    assert np.abs(normals - NORMALS[apart.argmin(axis=1)]).max() <= 1e-6
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_a_style_that_does_not_ask_gets_no_normals(name: str) -> None:
+    batches = gathered(PATHS[name], normals=False)
+    assert batches and all(batch.normals is None for batch in batches)
 
 
 def test_rectangles_are_quads() -> None:

@@ -7,6 +7,7 @@ from functools import cache
 import pytest
 
 from . import scenes_errors, scenes_immediate, scenes_lists, scenes_state
+from .gathering import Gathering
 from .registry import SCENES
 from .world import Outcome, run
 
@@ -33,3 +34,8 @@ STYLES = (
 @pytest.mark.parametrize("name", SCENES)
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
     assert plain(name).differences(run(SCENES[name], style), pictures=False) == {}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_style_that_asks_for_normals_changes_nothing(name: str) -> None:
+    assert plain(name).differences(run(SCENES[name], Gathering(normals=True))) == {}

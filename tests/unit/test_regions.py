@@ -7,6 +7,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.assembly import immediate
+from glshim.assembly.batch import Wanted
 from glshim.assembly.immediate import QUADS, reversed_winding, scaled
 from glshim.capture.state import colour
 from glshim.geometry.edge_mesh import MARKED, edge_mesh, features
@@ -16,8 +17,8 @@ from glshim.geometry.recovery.meshes import Meshes
 from glshim.spec.attributes import BY_NAME, decode
 from tests import look
 
-assemble = partial(immediate.assemble, colours=True)
-assemble_many = partial(immediate.assemble_many, colours=True)
+assemble = partial(immediate.assemble, wanted=Wanted(colours=True))
+assemble_many = partial(immediate.assemble_many, wanted=Wanted(colours=True))
 RED, GREEN = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,27 +13,46 @@ Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 
 
-def fans(batch: PolygonBatch, vertex: Indices) -> tuple[Indices, Indices, Flags]:
-    """(T, 3) vertices of triangles, wound as their polygons, (T,) the polygon of each, and (T, 3)
-    whether the side from each corner to the next is a true side of the polygon.
+class Fans(NamedTuple):
+    """Triangles of polygons, wound as these."""
+
+    triangles: Indices
+    """(T, 3) vertices."""
+    polygon: Indices
+    """(T,) the polygon of each."""
+    true: Flags
+    """(T, 3) the side from each corner to the next is a true side of the polygon."""
+    corners: Indices | None
+    """(T, 3) which corner of the batch each is; None where it has no normals."""
+
+    def only(self, which: Flags | NDArray[np.intp]) -> Fans:
+        """Some of them."""
+        corners = None if self.corners is None else self.corners[which]
+        return Fans(self.triangles[which], self.polygon[which], self.true[which], corners)
+
+
+def fans(batch: PolygonBatch, vertex: Indices) -> Fans:
+    """The triangles of a batch.
 
     vertex (N,) is the welded vertex of each position. Corners that repeat the next one are passed
     over; triangles with fewer than three distinct vertices are left out.
     """
     corners, starts, true = vertex[batch.corners], batch.starts, batch.boundary
+    number = None if batch.normals is None else np.arange(len(corners), dtype=np.int32)
     if len(corners) == 3 * batch.polygon_count and (np.diff(starts) == 3).all():
-        triangles, true = corners.reshape(-1, 3), true.reshape(-1, 3)
-        polygon = np.arange(len(triangles), dtype=np.int32)
+        polygon = np.arange(batch.polygon_count, dtype=np.int32)
+        at = None if number is None else number.reshape(-1, 3)
+        found = Fans(corners.reshape(-1, 3), polygon, true.reshape(-1, 3), at)
     else:
-        triangles, polygon, true = _fans(*_distinct(corners, starts, true))
-    a, b, c = triangles.T
+        found = _fans(*_distinct(corners, starts, true, number))
+    a, b, c = found.triangles.T
     sound = (a != b) & (b != c) & (c != a)
-    if sound.all():
-        return triangles, polygon, true
-    return triangles[sound], polygon[sound], true[sound]
+    return found if sound.all() else found.only(sound)
 
 
-def _distinct(corners: Indices, starts: Indices, true: Flags) -> tuple[Indices, Indices, Flags]:
+def _distinct(
+    corners: Indices, starts: Indices, true: Flags, number: Indices | None
+) -> tuple[Indices, Indices, Flags, Indices | None]:
     """Polygons without the corners that the next one repeats: their sides have no length, and
     the sides before them lead to the next just as well."""
     starts = starts.astype(np.int64)
@@ -41,21 +62,22 @@ def _distinct(corners: Indices, starts: Indices, true: Flags) -> tuple[Indices, 
     following[starts[1:][full] - 1] = starts[:-1][full]
     keep = corners != corners[following]
     if keep.all():
-        return corners, starts.astype(np.int32), true
+        return corners, starts.astype(np.int32), true, number
     kept = np.concatenate(([0], np.cumsum(keep)))
-    return corners[keep], kept[starts].astype(np.int32), true[keep]
+    number = None if number is None else number[keep]
+    return corners[keep], kept[starts].astype(np.int32), true[keep], number
 
 
-def _fans(corners: Indices, starts: Indices, true: Flags) -> tuple[Indices, Indices, Flags]:
+def _fans(corners: Indices, starts: Indices, true: Flags, number: Indices | None) -> Fans:
     sizes = np.diff(starts)
     counts = np.maximum(sizes - 2, 0)
     polygon = np.repeat(np.arange(len(sizes), dtype=np.int32), counts)
     step = np.arange(len(polygon)) - np.repeat(np.cumsum(counts) - counts, counts)
     hub = starts[:-1][polygon]
-    triangles = np.stack((corners[hub], corners[hub + step + 1], corners[hub + step + 2]), axis=1)
+    at = np.stack((hub, hub + step + 1, hub + step + 2), axis=1)
     sides = np.zeros((len(polygon), 3), np.bool_)
     sides[:, 0] = true[hub] & (step == 0)
     sides[:, 1] = true[hub + step + 1]
     last = step == sizes[polygon] - 3
     sides[:, 2] = true[hub + step + 2] & last
-    return triangles, polygon, sides
+    return Fans(corners[at], polygon, sides, None if number is None else number[at])

@@ -6,6 +6,7 @@ B = (v3, v1, v0). The edge mesh is made of these.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
@@ -28,6 +29,8 @@ Flags = NDArray[np.bool_]
 
 _TOPOLOGY = ("components", "closed", "rim", "report")
 """What is derived from the connectivity alone, so that a moved mesh takes it along."""
+_POSED = (*_TOPOLOGY, "_area_vectors", "normals", "vertex_normals")
+"""And what its positions are enough for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +98,11 @@ class Mesh:
     """(E,) A and B both wind v0 to v1: no winding suits the component (a Moebius strip)."""
     regions: NDArray[np.uint32] | None = None
     """(T,) the colour of each triangle by number, 0 where it is not known (`PolygonBatch`)."""
+    corners: Indices | None = None
+    """(T, 3) corner of the batch that each corner of a triangle is; None without normals."""
+    corner_normals: Floats | None = None
+    """(T, 3, 3) the normal that the app sent at each corner of triangles, as sent, zero where it
+    is not known (`PolygonBatch`). A triangle that was turned keeps those of its corners."""
 
     @property
     def marked(self) -> Flags:
@@ -186,27 +194,34 @@ class Mesh:
         derived = 53 * len(self.triangles) + 28 * len(self.positions)
         return sum(a.nbytes for a in own if isinstance(a, np.ndarray)) + derived
 
-    def moved(self, positions: Floats) -> Mesh | None:
-        """The same connectivity with other positions (N, 3) of a batch with the same polygons.
+    def moved(self, positions: Floats, normals: Floats | None = None) -> Mesh | None:
+        """The same connectivity with other positions (N, 3) and normals (C, 3) of a batch with the
+        same polygons, and with normals if this one had some.
 
         None if what was one vertex is no longer, or if the positions would be connected
         otherwise: ends of open edges that meet now, triangles that were left out and have an area
         now. Triangles that have no area now stay. This mesh itself if nothing moved.
         """
-        if len(positions) != len(self.weld):
+        if len(positions) != len(self.weld) or (normals is None) != (self.corners is None):
             return None
         points = np.asarray(positions, np.float32)
         held = points.take(self.first, axis=0) + np.float32(0.0)
         probe = slice(0, 1024)  # most meshes that are not meant show it at once
         if not (self._held(points, held, probe) and self._held(points, held, slice(None))):
             return None
+        given, before = None if normals is None else normals[self.corners], self.corner_normals
+        same = given is None or before is None or np.array_equal(given, before, equal_nan=True)
         if np.array_equal(held, self.positions):
-            return self
+            return self if same else self._with(_POSED, corner_normals=given)
         rim = held[self.rim]
         if len(weld(rim, self.tolerance)[0]) < len(rim) or _area(held, self.flat).any():
             return None
-        found = replace(self, positions=held)
-        found.__dict__.update({k: self.__dict__[k] for k in _TOPOLOGY if k in self.__dict__})
+        return self._with(_TOPOLOGY, positions=held, corner_normals=given)
+
+    def _with(self, derived: Iterable[str], **changes: Floats | None) -> Mesh:
+        """With other values of fields; what was derived from the rest is taken along."""
+        found = replace(self, **changes)  # type: ignore[arg-type]
+        found.__dict__.update({k: self.__dict__[k] for k in derived if k in self.__dict__})
         return found
 
     def _held(self, points: Floats, held: Floats, part: slice) -> bool:
@@ -232,26 +247,30 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
     """
     first, vertex = weld(batch.positions, tolerance)
     positions = np.asarray(batch.positions, np.float32)[first] + np.float32(0.0)
-    triangles, polygon, true = fans(batch, vertex)
-    sound = _area(positions, triangles)
-    flat = triangles[~sound]
+    drawn = fans(batch, vertex)
+    sound = _area(positions, drawn.triangles)
+    flat = drawn.triangles[~sound]
     if len(flat):
-        triangles, polygon, true = triangles[sound], polygon[sound], true[sound]
-    sides = meet(triangles, len(positions))
-    again = repeated(triangles, sides)
+        drawn = drawn.only(sound)
+    sides = meet(drawn.triangles, len(positions))
+    again = repeated(drawn.triangles, sides)
     if len(again):
-        kept = np.delete(np.arange(len(triangles)), again)
-        triangles, polygon, true = triangles[kept], polygon[kept], true[kept]
-        sides = meet(triangles, len(positions))
-    found = adjacency(triangles, true, sides)
+        drawn = drawn.only(np.delete(np.arange(len(drawn.triangles)), again))
+        sides = meet(drawn.triangles, len(positions))
+    found = adjacency(drawn.triangles, drawn.true, sides)
+    corners = drawn.corners
+    if corners is not None and found.turned.any():
+        corners = np.where(found.turned[:, None], corners[:, (0, 2, 1)], corners)
     return Mesh(
-        regions=None if batch.regions is None else batch.regions[polygon],
+        regions=None if batch.regions is None else batch.regions[drawn.polygon],
+        corners=corners,
+        corner_normals=None if batch.normals is None else batch.normals[corners],
         positions=positions,
         weld=vertex,
         first=first,
         slack=_slack(batch.positions, positions[vertex], tolerance) if tolerance > 0.0 else 0.0,
         tolerance=tolerance,
-        polygon=polygon,
+        polygon=drawn.polygon,
         flat=flat,
         **found._asdict(),
     )

@@ -51,7 +51,7 @@ class Meshes:
         structure = _structure(batch)
         known = self._alike.get(structure) or ()
         for at, before in enumerate(known):
-            found = before.moved(batch.positions)
+            found = before.moved(batch.positions, batch.normals)
             if found is not None:
                 known = (*known[:at], *known[at + 1 :])
                 break
@@ -67,10 +67,12 @@ class Meshes:
 
 
 def _structure(batch: PolygonBatch) -> Hashable:
-    """Equal for batches whose polygons have the same corners, whatever their positions."""
+    """Equal for batches whose polygons have the same corners, wherever they are and
+    whatever their normals."""
     digest = sha256()
     for part in (batch.corners, batch.starts, batch.boundary):
         digest.update(np.ascontiguousarray(part).data)
     if batch.regions is not None:
         digest.update(np.ascontiguousarray(batch.regions).data)
-    return len(batch.positions), len(batch.corners), digest.digest()
+    sizes = len(batch.positions), len(batch.corners), batch.normals is None
+    return *sizes, digest.digest()

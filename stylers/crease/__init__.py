@@ -1,0 +1,158 @@
+"""Style ``crease``: creases as quads in the planes of their triangles, and smooth silhouettes.
+
+B. Hajagos, L. Szecsi, B. Csebfalvi, "Fast silhouette and crease edge synthesis with geometry
+shaders", SCCG 2012. Creases are found from what the app's own normals say, and by angle; crease
+differences on the vertices tell the geometry shader where the next crease goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from math import radians
+from typing import Any, ClassVar, cast
+
+from glshim.geometry.creases import Criterion
+from glshim.geometry.sieve import CREASE, SMOOTH
+from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, bodies
+from glshim.styling.pictures import Image, is_coloured
+from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from stylers.strokes import MADE, made
+
+_HERE = files(__package__)
+_STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
+
+
+def _text(name: str) -> str:
+    return (_HERE / name).read_text("utf-8")
+
+
+def _shader(name: str) -> MeshShader:
+    geometry = _STROKE + _text("quads.glsl") + _text(f"{name}.geom.glsl")
+    fragment = _STROKE + _text("crease.frag.glsl")
+    return MeshShader(f"crease {name}", _text("record.vert.glsl"), fragment, geometry)
+
+
+CREASES, SILHOUETTES = _shader("crease"), _shader("smooth")
+BACK = MeshShader("crease back", _text("back.vert.glsl"), _text("back.frag.glsl"))
+_INK = State(depth="always", blend="greatest")
+_NEAREST = State(depth="less", writes_depth=True, blend="off")
+
+
+@dataclass(frozen=True)
+class Crease(Styler):
+    """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012)."""
+
+    name: ClassVar[str] = "crease"
+
+    creases: bool = option(True, help="ink where the surface has a crease, or ends")
+    silhouettes: bool = option(True, help="ink where smooth surfaces turn away from the viewer")
+    crease_width: float = option(2.5, help="width of creases", low=0.5, high=64.0, unit="px")
+    silhouette_width: float = option(
+        2.5, help="width of silhouettes", low=0.5, high=64.0, unit="px"
+    )
+    rule: str = option(
+        "either",
+        help="what is a crease: where the program's normals differ, where polygons turn, or either",
+        choices=("either", "normals", "angle"),
+    )
+    angle: float = option(
+        40.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
+        unit="degrees",
+    )  # fmt: skip
+    least_angle: float = option(
+        20.0, help="where the normals differ polygons must turn by so much; 0: the paper's creases",
+        low=0.0, high=180.0, unit="degrees",
+    )  # fmt: skip
+    indicator: str = option(
+        "flags",
+        help="how the shader knows creases: exact flags, or the paper's verifiers",
+        choices=("flags", "verifiers"),
+    )
+    bias: float = option(
+        1.5, help="depth by which creases may lie behind what is drawn, in pixels", low=0.0,
+        high=64.0, unit="px",
+    )  # fmt: skip
+    fade: float = option(
+        2.0, help="depth over which they fade away beyond that, in pixels", low=0.0, high=64.0,
+        unit="px",
+    )  # fmt: skip
+    spine: bool = option(
+        True, help="creases are seen where their middle is; off: the soft depth test alone"
+    )
+    hidden_by: str = option(
+        "surfaces",
+        help="what hides silhouettes: all surfaces, or as in the paper those that look away",
+        choices=("surfaces", "back_faces"),
+    )
+    texture: str = option(
+        "none",
+        help="what lines are drawn with; dark is ink in a grey picture, others keep colours",
+        choices=("none", *MADE),
+        picture=True,
+    )
+    texture_length: float = option(
+        0.0, help="length of a line after which the texture repeats; 0: what suits it", low=0.0,
+        high=4096.0, unit="px",
+    )  # fmt: skip
+    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    fill: str | Colour = option(  # noqa: RUF009
+        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
+        choices=("app", "none"), colour=True,
+    )  # fmt: skip
+
+    @property
+    def wants_normals(self) -> bool:
+        """Creases are where they differ, and silhouettes where they turn away."""
+        return True
+
+    @property
+    def surface(self) -> str | Colour:
+        """The option `fill`."""
+        return self.fill
+
+    def draws(self, layer: Layer) -> Iterable[Pass]:
+        """Triangles with adjacency, of which geometry shaders make the quads."""
+        found = bodies(layer)
+        if not found:
+            return
+        if self.silhouettes:
+            if self.hidden_by == "back_faces":
+                yield Pass(BACK, found, "surface", state=_NEAREST, buffer=True,
+                           creases=self._criterion)  # fmt: skip
+            yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH)
+        if self.creases:
+            yield from self._lines(CREASES, found, self.crease_width, CREASE)
+
+    @property
+    def _criterion(self) -> Criterion:
+        return Criterion(cast(Any, self.rule), radians(self.angle), radians(self.least_angle))
+
+    def _lines(
+        self, shader: MeshShader, found: tuple[Body, ...], width: float, wanted: int
+    ) -> Iterator[Pass]:
+        image, repeat, textured = self._stroke(width)
+        uniforms: dict[str, Uniform] = {
+            "half_width": width / 2.0,
+            "ink": self.ink,
+            "bias": self.bias,
+            "fade": self.fade,
+            "spine": int(self.spine),
+            "back_faces": int(self.hidden_by == "back_faces"),
+            "verified": int(self.indicator == "verifiers"),
+            "textured": textured,
+            "repeat": repeat,
+            "hidden_share": 0.0,
+        }
+        yield Pass(
+            shader, found, "adjacency", state=_INK, uniforms=uniforms, image=image,
+            sieve=Sieve(wanted), creases=self._criterion,
+        )  # fmt: skip
+
+    def _stroke(self, width: float) -> tuple[Image | None, float, int]:
+        """The texture, the pixels after which it repeats, and 2 where it has its own colours."""
+        if self.texture == "none":
+            return None, 1.0, 0
+        image, length, _ = made(self.texture, width, self.texture_length)
+        return image, length, 2 if is_coloured(image) else 1

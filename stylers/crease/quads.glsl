@@ -1,0 +1,90 @@
+// What:   quads along lines on the screen, cut at their ends along the bisectors that they share with
+//         the lines before and after. Of both geometry shaders of the style.
+// Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the next
+//         one, or that corner again where nothing is. stroke.glsl.
+// Source: Hajagos et al. 2012, sections 4.2 and 4.3, done on the screen so that the width is exact;
+//         numpy reference: glshim/geometry/crease_quads.py.
+
+layout(triangles_adjacency) in;
+
+in vec3 place[];
+in vec3 turn[];
+in vec4 difference[];
+
+uniform float half_width;      // pixels
+
+noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
+flat out ivec3 made;           // whether the ends are joined to others; whether it lies on a surface
+
+const float JOINT = 0.05;      // pixels by which quads overlap against rounding
+const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
+const float SHARPEST = 0.5;    // the same on the outer side: bisectors up to two widths long
+
+bool before(vec3 p, vec3 q) {
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+// Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
+// other: the corners are taken in one order, so that rounding says the same.
+bool is_front(int a, int b, int c) {
+    bool even = true;
+    if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
+    if (before(place[c], place[b])) { int i = b; b = c; c = i; even = !even; }
+    if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
+    return (dot(area, towards(eye, place[a])) > 0.0) == even;
+}
+
+vec3 in_eye(vec3 point) { return (modelview * vec4(point, 1.0)).xyz; }
+
+vec2 perpendicular(vec2 v) { return vec2(v.y, -v.x); }
+
+vec2 unit(vec2 v) {
+    float size = length(v);
+    return size > 0.0 ? v / size : vec2(0.0);
+}
+
+// A line on the screen and what it is joined to.
+struct Line {
+    vec3 from, to;      // pixels, depth
+    vec2 v, n;          // onwards, and to the right of it: outwards
+    float size;
+    vec2 mitre_a, mitre_b;  // a pixel outwards along the cuts
+    bool joined_a, joined_b;
+};
+
+// The cut between a line and its neighbour, which runs on in a direction; 0: there is none.
+vec2 mitre(Line l, vec2 neighbour, bool left_side_only, out bool joined) {
+    vec2 other = perpendicular(neighbour);
+    float turned = 1.0 + dot(other, l.n);
+    joined = neighbour != vec2(0.0) && turned > (left_side_only ? HAIRPIN : SHARPEST);
+    return joined ? (other + l.n) / turned : l.n;
+}
+
+// A quad between two distances outwards from a line, in the plane of the triangle on its left or in
+// that of the screen. planes: depths a pixel on the triangles on the left and on the right.
+void put(Line l, float low, float high, vec4 planes, int kind, bool on_surface, float deep) {
+    float slack = slack_of(kind, deep, abs(l.to.z - l.from.z) / l.size);
+    vec2 lean = vec2(dot(l.mitre_a, l.v), dot(l.mitre_b, l.v));
+    float cap = max(-low, high);
+    float past_a = l.joined_a ? JOINT : cap, past_b = l.joined_b ? JOINT : cap;
+    for (int i = 0; i < 4; ++i) {
+        float s = (i & 1) == 0 ? low : high;
+        // Where the cuts meet the quad ends in a point: beyond, it would be folded.
+        float room = l.size + past_a + past_b + s * (lean.y - lean.x);
+        if (room < 0.0) s *= 1.0 + room / (l.size + past_a + past_b - room);
+        float t = i < 2 ? s * lean.x - past_a : l.size + s * lean.y + past_b;
+        vec2 aside = t * l.v + s * l.n;
+        line_a = l.from;
+        line_b = l.to;
+        onwards = repeats = vec2(0.0);
+        slopes = planes;
+        extent = vec3(low, high, float(kind));
+        grain = vec2(deep, slack + hair + blur * deep);
+        spot = vec3(t, s, l.from.z + dot(planes.xy, aside));
+        made = ivec3(l.joined_a, l.joined_b, on_surface);
+        gl_Position = on_screen(l.from.xy + aside);
+        EmitVertex();
+    }
+    EndPrimitive();
+}

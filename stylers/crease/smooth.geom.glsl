@@ -1,0 +1,103 @@
+// What:   the contour of the smooth surface in a triangle: where the interpolated n.c is zero.
+// Inputs: quads.glsl; which sides are creases (mesh.glsl), over which normals jump.
+// Source: Hajagos et al. 2012, section 4.3 (A. Hertzmann 1999). Ends fit the contours next to it.
+
+layout(triangle_strip, max_vertices = 4) out;
+
+// As glshim/geometry/smooth_lines.py has them.
+const float BENT = 0.02;    // a vertex normal so far from the triangle's bends it wholly
+const float NEAREST = 0.2;  // share of the way to the viewer that a line is lifted at most
+
+float toward[6];  // n.c of each vertex
+
+// Where n.c is zero between two corners; the same to the bit, whoever asks.
+vec3 crossing(int a, int b) {
+    if (before(place[b], place[a])) { int i = a; a = b; b = i; }
+    return (toward[a] * place[b] - toward[b] * place[a]) / (toward[a] - toward[b]);
+}
+
+// How far, in object units, the smooth surface may lie before a triangle: its width, less where it
+// is hardly bent.
+float lift(int a, int b, int c) {
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
+    float size = length(area);
+    if (size <= 0.0) return 0.0;
+    float longest = max(max(distance(place[a], place[b]), distance(place[b], place[c])),
+                        distance(place[c], place[a]));
+    vec3 plane = area / size * (dot(area, turn[a]) < 0.0 ? -1.0 : 1.0);
+    float bent = max(max(distance(turn[a], plane), distance(turn[b], plane)),
+                     distance(turn[c], plane));
+    return min(bent / BENT, 1.0) * size / longest;
+}
+
+// A point in eye space, moved towards the viewer.
+vec3 lifted(vec3 point, float by) {
+    vec3 at = in_eye(point), sight = viewpoint.xyz - viewpoint.w * at;
+    float distance = length(sight);
+    return at + sight / distance * (viewpoint.w == 0.0 ? by : min(by, NEAREST * distance));
+}
+
+// The other end of the contour that runs on over the side between corners a and b; none: false.
+bool goes_on(int flags, int a, int across, int b, out vec3 other) {
+    bool crease = (flags >> (a / 2 + 1) & 1) == 1;
+    if (crease || place[across] == place[a]) return false;
+    int end = (toward[across] > 0.0) != (toward[a] > 0.0) ? a : b;
+    other = crossing(across, end);
+    return true;
+}
+
+// The direction on the screen from one point to another; 0 where that is not before the viewer.
+vec2 way(vec3 from, vec3 to) {
+    vec4 a = clip(from), b = clip(to);
+    if (a.w <= 0.0 || b.w <= 0.0) return vec2(0.0);
+    vec2 found = pixels(b) - pixels(a);
+    return length(found) < 1e-3 ? vec2(0.0) : normalize(found);
+}
+
+void main() {
+    for (int i = 0; i < 6; ++i) toward[i] = dot(turn[i], towards(eye, place[i]));
+    bvec3 facing_us = bvec3(toward[0] > 0.0, toward[2] > 0.0, toward[4] > 0.0);
+    if (all(facing_us) || !any(facing_us)) return;
+    // The corner o whose sign is its own; the contour runs from side o, p to side q, o.
+    int o = facing_us.y == facing_us.z ? 0 : facing_us.x == facing_us.z ? 2 : 4;
+    int p = (o + 2) % 6, q = (o + 4) % 6;
+    int flags = triangle_at(element()).w;
+    vec3 y0 = crossing(o, p), y1 = crossing(q, o), other;
+    vec2 v_before = goes_on(flags, o, o + 1, p, other) ? way(other, y0) : vec2(0.0);
+    vec2 v_after = goes_on(flags, q, q + 1, o, other) ? way(y1, other) : vec2(0.0);
+
+    // The polygons lie about the surface that is meant, before it and behind.
+    float by = lift(0, 2, 4);
+    for (int k = 0; k < 6; k += 2) by = max(by, lift(k, k + 1, (k + 2) % 6));
+    by *= pow(abs(determinant(mat3(modelview))), 1.0 / 3.0);
+    vec3 eye_a = lifted(y0, by), eye_b = lifted(y1, by), whole_a = eye_a, whole_b = eye_b;
+    if (!cut(eye_a, eye_b)) return;
+    if (eye_a != whole_a) v_before = vec2(0.0);
+    if (eye_b != whole_b) v_after = vec2(0.0);
+    // The surface lies on the left of the line: the corners that face us, if the triangle does.
+    vec3 area = cross(place[2] - place[0], place[4] - place[0]);
+    float seen_from_front = dot(area, towards(eye, place[0])) * dot(area, turn[0] + turn[2] + turn[4]);
+    bool o_is_inside = (toward[o] > 0.0) == (seen_from_front > 0.0);
+    vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
+    bool o_is_left = dot(cross(at_a, at_b), clip(place[o]).xyw) > 0.0;
+    if (o_is_left != o_is_inside) {
+        vec3 kept = eye_a;
+        eye_a = eye_b;
+        eye_b = kept;
+        vec2 turned = v_before;
+        v_before = -v_after;
+        v_after = -turned;
+    }
+    Line l;
+    l.from = window(eye_a);
+    l.to = window(eye_b);
+    l.size = distance(l.from.xy, l.to.xy);
+    if (l.size < 1e-3) return;
+    l.v = (l.to.xy - l.from.xy) / l.size;
+    l.n = perpendicular(l.v);
+    float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
+    l.mitre_a = mitre(l, v_before, false, l.joined_a);
+    l.mitre_b = mitre(l, v_after, false, l.joined_b);
+    float far = half_width + 1.0;
+    put(l, -far, far, vec4(0.0), CONTOUR, false, deep);
+}
