@@ -305,7 +305,6 @@ def _turning(mesh: Mesh, least: float, some: Flags | None) -> Flags:
     return found
 
 
-
 def _build(
     mesh: Mesh, criterion: Criterion, flags: Flags, halves: Sides, sent: Floats | None
 ) -> Creases:
