@@ -183,7 +183,7 @@ class Runner:
         resident: Resident | None = None
         count, each = 1, 3
         if one.element != "screen":
-            resident = self.residents.find(body.batches, one.creases)
+            resident = self.residents.find(body.batches, one.creases, one.tolerance)
             count = resident.count(one.element)
             each = VERTICES[one.primitive] * one.primitives
             if one.element in _BY_INDEX:

@@ -57,6 +57,9 @@ class Fins(Styler):
     spine: bool = option(
         True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
     )
+    tolerance: float = option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = option(  # noqa: RUF009
         "app",
@@ -99,4 +102,7 @@ class Fins(Styler):
             "hidden_share": 0.0,
         }
         state = State(depth="always", blend="greatest")
-        yield Pass(FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS)
+        yield Pass(
+            FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
+            tolerance=self.tolerance,
+        )  # fmt: skip
