@@ -17,8 +17,6 @@ from glshim.geometry.vectors import Doubles, cross, dot
 
 Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
-RIM = 1.0
-"""Pixels by which a quad is wider than half its line, to both sides: room for smooth edges."""
 SHORTEST = 1e-3
 """Pixels of an edge that has a fin."""
 
@@ -104,7 +102,7 @@ def fins(
         along /= size[:, None]
     kept = np.flatnonzero(left & (size >= SHORTEST)).astype(np.int32)
     ends, along, size = ends[kept], along[kept], size[kept]
-    side = half_width + RIM
+    side = half_width
     beyond = np.full_like(size, side) if rounded else overhang * size
     t = np.stack((-beyond, -beyond, size + beyond, size + beyond), axis=1)
     s = np.broadcast_to((-side, side, -side, side), t.shape)
