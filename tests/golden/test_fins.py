@@ -399,3 +399,31 @@ def test_the_foot_of_a_box_is_drawn_on_the_floor(backend):
     for mesh in (box, sides):
         before, after, _ = drawn(backend, [(floor, camera), (mesh, camera)])
         assert (look.ink(before, after)[y, x] > 0.9).mean() > 0.97
+
+
+def test_the_apps_stencil_test_holds_where_passes_go_over_its_picture(backend):
+    """A mirror's image stays in the mirror: half of the window, in the app's stencil."""
+    mesh = look.torus()
+    free = Camera(look.look_at((3, -2.5, 2.2)), look.perspective(), (0, 0, 400, 400))
+    held = replace(free, stencil=(GL.GL_EQUAL, 1, 255))
+
+    def picture(*cameras: Camera) -> np.ndarray:
+        look.clear()
+        GL.glEnable(GL.GL_SCISSOR_TEST)
+        GL.glScissor(0, 0, 200, 400)
+        GL.glClearStencil(1)
+        GL.glClear(GL.GL_STENCIL_BUFFER_BIT)
+        GL.glDisable(GL.GL_SCISSOR_TEST)
+        GL.glClearStencil(0)
+        look.draw_base(mesh, free)
+        backend.render(Fins().draws(Layer(tuple((mesh, camera) for camera in cameras))))
+        return look.pixels()
+
+    whole, half, bare = picture(free), picture(held), picture()
+    assert (half[:, :200] == whole[:, :200]).all()
+    assert (half[:, 200:] == bare[:, 200:]).all()
+    assert (whole[:, 200:] != bare[:, 200:]).any()
+    beside = replace(held, modelview=look.look_at((3, 2.5, 2.2)))
+    both = picture(free, beside)
+    assert (both[:, 200:] == whole[:, 200:]).all()
+    assert (both[:, :200] != whole[:, :200]).any()
