@@ -96,10 +96,18 @@ void emit(int a, int b, int c, int shape) {
 // number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
 void main() {
     bool front = is_front(0, 2, 4);
-    for (int k = 0; k < 6; k += 2) {
-        int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
-        if (number[across] == number[a]) emit(a, b, c, RING);
-        else if (number[c] <= number[across] && front != is_front(a, across, b))
-            emit(a, b, c, kind_of(a, b, c, across));
+    int drawn = 0;  // bits of its sides
+    for (int k = 0; k < 3; ++k) {
+        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
+        bool alone = number[across] == number[a];
+        if (alone || (number[c] <= number[across] && front != is_front(a, across, b)))
+            drawn |= 1 << k;
+    }
+    // A side at a time, whichever it is: drivers in software run several triangles in step.
+    while (drawn != 0) {
+        int k = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 1 : 2;
+        drawn &= drawn - 1;
+        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
+        emit(a, b, c, number[across] == number[a] ? RING : kind_of(a, b, c, across));
     }
 }
