@@ -17,10 +17,10 @@ uniform int joints;        // ROUND or not
 uniform int spine;         // 1: the depth of the middle decides for all of the width
 
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
-flat out float decided;         // 1: it is seen all along
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
-const float SHORT = 4.0;         // pixels; the places that `seen` asks are not further apart
+const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of such a
+                                 // fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
@@ -71,8 +71,11 @@ void emit(int a, int b, int c, int shape) {
     grain = vec2(deep, slack + hair + blur * deep);
     slopes = vec4(0.0);
     take_stroke();
-    bool short_one = spine == 1 && size <= SHORT;
-    if (short_one && !seen(0.5 * size)) return;
+#ifdef SHORT_FINS
+    if (size > SHORT || !seen(0.5 * size)) return;
+#else
+    if (spine == 1 && size <= SHORT) return;
+#endif
     float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
         line_a = from;
@@ -84,7 +87,6 @@ void emit(int a, int b, int c, int shape) {
         float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
         float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
         reach = vec3(t, s, z);
-        decided = float(short_one);
         gl_Position = on_screen(from.xy + t * v + s * n);
         gl_Position.z = 2.0 * (z - range.x) / (range.y - range.x) - 1.0;
         EmitVertex();
