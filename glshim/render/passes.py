@@ -84,7 +84,8 @@ class Runner:
     ) -> None:
         """All passes on the stage, which then goes over the window. greater: the app's depth test
         lets greater depths win; hair in window depth."""
-        self._stage.open(box)
+        deep = any(one.state.depth != "always" or one.state.writes_depth for one in passes)
+        self._stage.open(box, deep=deep)
         if any("app_colour" in one.shader.fragment for one in passes):
             self._colour.take(window, box)
         before = False
@@ -194,6 +195,8 @@ class Runner:
             each = VERTICES[one.primitive] * one.primitives
             if one.element in _BY_INDEX:
                 each = _BY_INDEX[one.element][1]
+            if one.least and not resident.sieved.extent.pixels(camera) >= one.least:
+                return None
         posed = None
         if one.pose is not None and resident is not None:
             if _size_of(one.pose) != len(resident.mesh.positions):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry.creases import Creases
 from glshim.geometry.edge_mesh import EdgeMesh
+from glshim.geometry.extent import Extent
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.sieve import EdgeSieve, TriangleSieve
@@ -38,6 +39,11 @@ class Sieved:
         if self._creases is not None:
             return self._creases.adjacency
         return with_adjacency(self._mesh.triangles, twins(self._mesh))
+
+    @cached_property
+    def extent(self) -> Extent:
+        """Of the mesh."""
+        return Extent.of(self._mesh.positions, self._mesh.edges)
 
     @cached_property
     def _edge_sieve(self) -> EdgeSieve:
@@ -84,7 +90,7 @@ class Sieved:
         edge has the lesser number."""
         rows = self._edges.rows
         (a, b), (c, d) = self._mesh.faces[rows].T, self._mesh.opposite[rows].T
-        return np.where((b < 0) | (c <= d), a, b)
+        return np.asarray(np.where((b < 0) | (c <= d), a, b))
 
     def _forget(self) -> None:
         if self._texture:

@@ -36,6 +36,8 @@ FINS = _shader("fins")
 SHORT_FINS = _shader("short fins", "#define SHORT_FINS\n")
 """Those of a few pixels, of which the geometry shader alone finds out whether they are seen. Drivers
 in software would walk through every branch of a shader that drew both."""
+_SHORT = 4.0
+"""Pixels, as in the shader."""
 JOINTS = ("none", "overhang", "round")
 _CONTOURS = Sieve(CONTOUR | BOUNDARY, (pi, pi))
 
@@ -106,5 +108,5 @@ class Fins(Styler):
         for shader in (FINS, SHORT_FINS) if self.spine else (FINS,):
             yield Pass(
                 shader, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
-                tolerance=self.tolerance,
+                tolerance=self.tolerance, least=_SHORT if shader is FINS and self.spine else 0.0,
             )  # fmt: skip
