@@ -24,6 +24,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer, Styler
+from stylers.crease import Crease
 from stylers.edge_mesh import EdgeMesh
 from stylers.fins import Fins
 from stylers.raskar import Raskar
@@ -40,6 +41,7 @@ STYLES: dict[str, Styler] = {
     "raskar": Raskar(**_CONTOURS, silhouette_width=WIDTH),
     "edge_mesh": _EDGE_MESH,
     "edge_mesh, quads": replace(_EDGE_MESH, strokes="quads"),
+    "crease": Crease(creases=False, silhouette_width=WIDTH),
     "fins": Fins(half_width=WIDTH / 2 + 0.5),  # the rim fades over a pixel, half of it outside
 }
 BASIS = "edge_mesh"

@@ -41,14 +41,22 @@ class Facing:
         slack = _ROUNDING * (1.0 + longest / np.maximum(area, 1e-300))
         self._slack = np.minimum(slack, 1e30).astype(np.float32)
         self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
+        self._last: tuple[bytes, NDArray[np.uint8]] = (b"", np.empty(0, np.uint8))
+
+    def doubtful(self, eye: NDArray[np.floating]) -> NDArray[np.intp]:
+        """The triangles of which rounding decides which side is seen from eye (4,), homogeneous."""
+        return np.flatnonzero(self.seen(eye) == _EITHER)
 
     def seen(self, eye: NDArray[np.floating]) -> NDArray[np.uint8]:
         """(T,) front, back, or either where rounding decides, from eye (4,) homogeneous."""
-        reach = np.float32(reach_of(eye, self._radius))
-        value = _at(eye, self._planes)
-        found: NDArray[np.uint8] = (value > self._slack * reach).view(np.uint8)
-        found[np.abs(value) <= self._slack * reach] = _EITHER
-        return found
+        key = eye.tobytes()
+        if key != self._last[0]:
+            slack = self._slack * np.float32(reach_of(eye, self._radius))
+            value = _at(eye, self._planes)
+            found: NDArray[np.uint8] = (value > slack).view(np.uint8)
+            found[np.abs(value) <= slack] = _EITHER
+            self._last = key, found
+        return self._last[1]
 
 
 def reach_of(eye: NDArray[np.floating], radius: float) -> float:
@@ -71,7 +79,7 @@ class EdgeSieve:
 
     def __init__(self, mesh: Mesh, edges: EdgeMesh) -> None:
         normals = mesh.normals
-        self._facing = Facing(mesh)
+        self.facing = Facing(mesh)
         a, b = mesh.faces[edges.rows].T
         b = np.where(b < 0, a, b)
         self._a, self._b = a.astype(np.intp), b.astype(np.intp)
@@ -90,7 +98,7 @@ class EdgeSieve:
         eye (4,) homogeneous, in rising order. angles of ridges and valleys in radians."""
         found = self._fixed(wanted, angles)
         if wanted & CONTOUR:
-            facing = self._facing.seen(eye)
+            facing = self.facing.seen(eye)
             one, other = facing.take(self._a), facing.take(self._b)
             contours = one != other
             contours |= one == _EITHER

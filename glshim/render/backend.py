@@ -124,8 +124,8 @@ class Backend:
             self._runner = Runner(self.pen.context, self._harvest.objects, self._cache_bytes)
         for camera, some in _by_stencil(passes):
             self._runner.run(
-                some, window, box, self._depth, self._textures, camera,
-                greater=greater, hair=hair_of(bits),
+                some, window, box, self._depth, self._textures,
+                last=camera, greater=greater, hair=hair_of(bits),
             )  # fmt: skip
 
     def _take_depth(self, items: list[Item], box: Box, bits: int, greater: bool) -> None:

@@ -38,7 +38,7 @@ def grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
             camera = draw.camera.affine()
             if not all(map(isfinite, camera.modelview.ravel().tolist())):
                 continue
-            known = seen[id(draw.camera)] = (camera, _lens(camera))
+            known = seen[id(draw.camera)] = (camera, lens_of(camera))
         camera, lens = known
         if last is None or not _look_alike(draw, last):
             look = (draw.choice, draw.shader, tuple(draw.uniforms.items()), draw.image)
@@ -58,7 +58,7 @@ def _look_alike(draw: Draw, other: Draw) -> bool:
     )
 
 
-def _lens(camera: Camera) -> Hashable:
+def lens_of(camera: Camera) -> Hashable:
     """All of a camera but its modelview."""
     return (
         camera.projection.tobytes(),

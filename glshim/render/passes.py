@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import isfinite
+from functools import lru_cache
+from math import hypot, isfinite
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.notices import say_once
-from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
+from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of, lens_of, scissor, stencil, turned
 from glshim.render.colour import UNIT as COLOUR_UNIT
 from glshim.render.colour import ColourCopy
 from glshim.render.depth import Box, DepthCopy
@@ -77,18 +78,20 @@ class Runner:
         box: Box,
         depth: DepthCopy,
         textures: Textures,
-        last: Camera,
         *,
+        last: Camera,
         greater: bool,
         hair: float,
     ) -> None:
         """All passes on the stage, which then goes over the window where the stencil test of the
         last camera lets it. greater: the app's depth test lets greater depths win; hair in window
         depth."""
-        self._stage.open(box)
+        deep = any(one.state.depth != "always" or one.state.writes_depth for one in passes)
+        self._stage.open(box, deep=deep)
         if any("app_colour" in one.shader.fragment for one in passes):
             self._colour.take(window, box)
         before = False
+        views: dict[Hashable, dict[str, Any] | None] = {}
         for one in passes:
             if one.image is not None:
                 textures.bind(one.image)
@@ -101,8 +104,11 @@ class Runner:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
                     continue
-                lens, away = turned(camera, greater)
-                inputs = inputs_of(lens, depth, away=away, hair=hair)
+                lens = lens_of(camera)
+                if lens not in views:
+                    view, away = turned(camera, greater)
+                    views[lens] = inputs_of(view, depth, away=away, hair=hair)
+                inputs = views[lens]
                 if inputs is None:
                     continue
                 self._draw(one, replace(body, camera=camera), inputs, box)
@@ -190,6 +196,8 @@ class Runner:
             each = VERTICES[one.primitive] * one.primitives
             if one.element in _BY_INDEX:
                 each = _BY_INDEX[one.element][1]
+            if one.least and not resident.sieved.extent.pixels(camera) >= one.least:
+                return None
         posed = None
         if one.pose is not None and resident is not None:
             if _size_of(one.pose) != len(resident.mesh.positions):
@@ -199,17 +207,16 @@ class Runner:
                 )
                 return None
             posed = Posed(one.pose)
-        seen = seen_from(camera, one.light)
         sieve = one.sieve if posed is None else None
-        if resident is not None and sieve is not None:
-            count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
         program = self._programs.find(
             one.shader, one.pose, sieved=sieve is not None,
             planes=min(len(camera.clip_planes), MOST_CLIP_PLANES), varyings=varyings,
         )  # fmt: skip
-        program.set(inputs)
-        program.set(seen)
-        program.set(_UNITS | {"vertices_each": each})
+        seen = seen_from(camera, one.light if program.wants("light") else None)
+        if resident is not None and sieve is not None:
+            count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
+        for values in (inputs, seen, _UNITS, {"vertices_each": each}):
+            program.set(values)
         program.set(one.uniforms)
         if isinstance(one.pose, Keyframes):
             program.set({"share": one.pose.share})
@@ -265,25 +272,35 @@ def _triangles_of(one: Pass, ready: _Ready) -> int:
     return found.value
 
 
-def seen_from(camera: Camera, light: Sequence[float]) -> dict[str, Any]:
-    """The uniforms of ``mesh.glsl`` that tell where the viewer and the light are; light is
-    homogeneous, in eye space."""
-    centre, spot = camera.centre, camera.viewpoint
-    turn = float(np.linalg.det(camera.modelview[:3, :3]))
-    way = np.sign(centre @ spot) * (1.0 if turn >= 0.0 else -1.0)
-    eye = camera.object_centre * way
-    scale = abs(eye[3]) if eye[3] > 1e-12 * np.abs(eye[:3]).max() else np.linalg.norm(eye[:3])
-    eye = eye / max(float(scale), 1e-300)
-    try:
-        lamp = np.linalg.inv(camera.modelview) @ np.asarray(light, np.float64)
-    except np.linalg.LinAlgError:
-        lamp = np.array((0.0, 0.0, 1.0, 0.0))
-    return {
+def seen_from(camera: Camera, light: Sequence[float] | None = None) -> dict[str, Any]:
+    """The uniforms of ``mesh.glsl`` that tell where the viewer and, if asked for, the light are;
+    light is homogeneous, in eye space."""
+    way = _way(camera.projection.tobytes())
+    turned_round = float(np.linalg.det(camera.modelview[:3, :3])) < 0.0
+    if turned_round:
+        way = -way
+    x, y, z, w = (camera.object_centre * way).tolist()
+    point = abs(w) > 0.0 and w > 1e-12 * max(abs(x), abs(y), abs(z))
+    scale = max(w if point else hypot(x, y, z), 1e-300)
+    found = {
         "modelview": camera.modelview.T,
-        "eye": tuple(eye.tolist()),
-        "light": tuple(lamp.tolist()),
-        "facing": float(way) * (1.0 if camera.front_ccw else -1.0),
+        "eye": (x / scale, y / scale, z / scale, w / scale),
+        "facing": way * (1.0 if camera.front_ccw else -1.0),
     }
+    if light is not None:
+        try:
+            lamp = np.linalg.inv(camera.modelview) @ np.asarray(light, np.float64)
+        except np.linalg.LinAlgError:
+            lamp = np.array((0.0, 0.0, 1.0, 0.0))
+        found["light"] = tuple(lamp.tolist())
+    return found
+
+
+@lru_cache(maxsize=64)
+def _way(projection: bytes) -> float:
+    """1 where `Camera.centre` points to the viewer, else -1; 0 where nothing is seen."""
+    lens = Camera(np.eye(4), np.frombuffer(projection).reshape(4, 4), (0, 0, 1, 1))
+    return float(np.sign(lens.centre @ lens.viewpoint))
 
 
 def _size_of(pose: Pose) -> int:

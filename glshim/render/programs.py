@@ -24,17 +24,27 @@ class Program:
         self.name = int(made.glo)
         members = {name: made[name] for name in made}
         self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
+        self._said: dict[str, Any] = {}
+
+    def wants(self, name: str) -> bool:
+        """Whether it has a uniform."""
+        return name in self._uniforms
 
     def set(self, values: Mapping[str, Any]) -> None:
-        """Uniforms by name; arrays as they lie in memory, columns first."""
+        """Uniforms by name; arrays as they lie in memory, columns first, and not to be changed
+        later: what is there already is not sent again."""
         for name, value in values.items():
             found = self._uniforms.get(name)
             if found is None:
                 continue
+            before = self._said.get(name)
             if isinstance(value, np.ndarray):
+                if before is value:
+                    continue
                 found.write(np.ascontiguousarray(value, np.float32))
-            else:
+            elif isinstance(before, np.ndarray) or before != value:
                 found.value = value
+            self._said[name] = value
 
 
 def compiled(name: str, vertex: str, fragment: str, attributes: Sequence[str] = ()) -> int:

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.creases import Creases
-from glshim.geometry.edge_mesh import EdgeMesh
+from glshim.geometry.edge_mesh import CONTOUR, EdgeMesh
+from glshim.geometry.extent import Extent
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.sieve import EdgeSieve, TriangleSieve
@@ -38,6 +39,11 @@ class Sieved:
         if self._creases is not None:
             return self._creases.adjacency
         return with_adjacency(self._mesh.triangles, twins(self._mesh))
+
+    @cached_property
+    def extent(self) -> Extent:
+        """Of the mesh."""
+        return Extent.of(self._mesh.positions, self._mesh.edges)
 
     @cached_property
     def _edge_sieve(self) -> EdgeSieve:
@@ -74,9 +80,19 @@ class Sieved:
         rows = self._edge_sieve.candidates(eye, sieve.wanted, sieve.angles)
         if element != "adjacency":
             return rows
-        here = np.zeros(len(self._mesh.triangles) + 1, np.bool_)  # the last one is none, -1
-        here[self._mesh.faces[self._edges.rows[rows]]] = True
-        return np.flatnonzero(here[:-1]).astype(np.int32)
+        here = np.zeros(len(self._mesh.triangles), np.bool_)
+        here[self._triangles.take(rows)] = True
+        if sieve.wanted & CONTOUR:  # a contour may be inside a flat polygon that is seen edge on
+            here[self._edge_sieve.facing.doubtful(eye)] = True
+        return np.flatnonzero(here).astype(np.int32)
+
+    @cached_property
+    def _triangles(self) -> Ints:
+        """(R,) the triangle that draws each row of the edge mesh: the one whose corner off the
+        edge has the lesser number."""
+        rows = self._edges.rows
+        (a, b), (c, d) = self._mesh.faces[rows].T, self._mesh.opposite[rows].T
+        return np.asarray(np.where((b < 0) | (c <= d), a, b))
 
     def _forget(self) -> None:
         if self._texture:

@@ -30,8 +30,9 @@ class Stage:
         self._buffer = made("glGenRenderbuffers")
         self._size = (0, 0)
 
-    def open(self, box: Box) -> None:
-        """Bind it: no colour, the finished depth (bound at its unit), stencil `NOTHING_DRAWN`."""
+    def open(self, box: Box, *, deep: bool = True) -> None:
+        """Bind it: no colour, the finished depth (bound at its unit), stencil `NOTHING_DRAWN`.
+        deep: whether depth matters; else it is anything."""
         self._canvas.open(box)
         if self._canvas.size != self._size:
             self._size = self._canvas.size
@@ -45,6 +46,8 @@ class Stage:
         gl.glStencilMask(0xFF)
         gl.glClearStencil(NOTHING_DRAWN)
         gl.glClear(0x0400)
+        if not deep:
+            return
         gl.glViewport(0, 0, *self._size)
         gl.glDepthRange(0.0, 1.0)
         gl.glColorMask(0, 0, 0, 0)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from glshim.render.driver import gl
 
 WIDTH = 2048
-"""Texels in a row of a texture."""
+"""Texels in a row of a texture that has more than one."""
 _ANY_UNIT = 6
 _ELEMENT_BUFFER, _STREAM_DRAW = 0x8893, 0x88E0
 _TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
@@ -33,9 +33,11 @@ def upload(rows: NDArray[np.generic]) -> int:
     inner, outer, kind = kinds[rows.dtype.kind]
     if rows.dtype == np.int16:
         inner, outer, kind = _RGBA_16_SNORM, _RGBA, _SHORT
-    height = max(1, -(-len(rows) // WIDTH))
-    padded = np.zeros((height * WIDTH, 4), rows.dtype)
-    padded[: len(rows)] = rows
+    width, height = min(max(len(rows), 1), WIDTH), max(1, -(-len(rows) // WIDTH))
+    padded = np.ascontiguousarray(rows)
+    if len(rows) < width * height:
+        padded = np.zeros((height * width, 4), rows.dtype)
+        padded[: len(rows)] = rows
     name = made("glGenTextures")
     gl.glActiveTexture(_TEXTURE_0 + _ANY_UNIT)
     gl.glBindTexture(_TEXTURE_2D, name)
@@ -44,7 +46,7 @@ def upload(rows: NDArray[np.generic]) -> int:
         gl.glPixelStorei(*alignment)
     for parameter, value in _PLAIN:
         gl.glTexParameteri(_TEXTURE_2D, parameter, value)
-    gl.glTexImage2D(_TEXTURE_2D, 0, inner, WIDTH, height, 0, outer, kind, padded.ctypes.data)
+    gl.glTexImage2D(_TEXTURE_2D, 0, inner, width, height, 0, outer, kind, padded.ctypes.data)
     return name
 
 

@@ -87,8 +87,9 @@ class State:
 @dataclass(frozen=True, slots=True)
 class Sieve:
     """Elements that surely are none of these are left out before the shader decides. Of meshes that
-    a pose moves none are. Triangles with adjacency stay for the sake of their edges, or where the
-    pass has creases for the bits of `glshim.geometry.sieve`."""
+    a pose moves none are. Triangles with adjacency stay for the sake of their edges: of the two at
+    an edge the one whose corner off it has the lesser number; or where the pass has creases for the
+    bits of `glshim.geometry.sieve`."""
 
     wanted: int
     """Bits of `glshim.geometry.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
@@ -122,6 +123,9 @@ class Pass:
     creases: Criterion | None = None
     """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
     sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""
+    least: float = 0.0
+    """Pixels: a body none of whose sides can be that long on the screen is left out. Not with a
+    pose."""
     tolerance: float = 0.0
     """Object units: corners no further apart are one vertex."""
     buffer: bool = False

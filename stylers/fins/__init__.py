@@ -26,10 +26,18 @@ def _text(name: str) -> str:
     return (_HERE / name).read_text("utf-8")
 
 
-FINS = MeshShader(
-    "fins", _text("fins.vert.glsl"), _STROKE + _text("fins.frag.glsl"),
-    _STROKE + _text("fins.geom.glsl"),
-)  # fmt: skip
+def _shader(name: str, defined: str = "") -> MeshShader:
+    stroke = defined + _STROKE
+    fragment, geometry = stroke + _text("fins.frag.glsl"), stroke + _text("fins.geom.glsl")
+    return MeshShader(name, _text("fins.vert.glsl"), fragment, geometry)
+
+
+FINS = _shader("fins")
+SHORT_FINS = _shader("short fins", "#define SHORT_FINS\n")
+"""Those of a few pixels, of which the geometry shader alone finds out whether they are seen.
+Drivers in software would walk through every branch of a shader that drew both."""
+_SHORT = 4.0
+"""Pixels, as in the shader."""
 JOINTS = ("none", "overhang", "round")
 _CONTOURS = Sieve(CONTOUR | BOUNDARY, (pi, pi))
 
@@ -103,7 +111,8 @@ class Fins(Styler):
             "hidden_share": 0.0,
         }
         state = State(depth="always", blend="greatest")
-        yield Pass(
-            FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
-            tolerance=self.tolerance,
-        )  # fmt: skip
+        for shader in (FINS, SHORT_FINS) if self.spine else (FINS,):
+            yield Pass(
+                shader, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
+                tolerance=self.tolerance, least=_SHORT if shader is FINS and self.spine else 0.0,
+            )  # fmt: skip

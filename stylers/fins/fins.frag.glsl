@@ -9,7 +9,6 @@ uniform int spine;      // 1: the depth of the middle decides for all of the wid
 uniform int joints;
 
 noperspective in vec3 reach;
-flat in float decided;  // 1: a short fin, of which the geometry shader knows that it is seen
 
 const int ROUND_JOINTS = 2;
 
@@ -23,9 +22,10 @@ void main() {
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
     if (alpha <= 0.0) discard;
+#ifndef SHORT_FINS
     // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
-    if (spine == 0) {
-        if (finished(gl_FragCoord.xy) < reach.z - hair) discard;
-    } else if (decided == 0.0 && !seen(clamp(on, 2.0, span - 2.0))) discard;
+    if (spine == 1 ? !seen(clamp(on, 2.0, span - 2.0)) : finished(gl_FragCoord.xy) < reach.z - hair)
+        discard;
+#endif
     colour = vec4(alpha * ink, alpha);
 }

@@ -17,10 +17,10 @@ uniform int joints;        // ROUND or not
 uniform int spine;         // 1: the depth of the middle decides for all of the width
 
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
-flat out float decided;         // 1: it is seen all along
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
-const float SHORT = 4.0;         // pixels; the places that `seen` asks are not further apart
+const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of such a
+                                 // fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
@@ -75,8 +75,11 @@ void emit(int a, int b, int c, int across, int shape) {
     grain = vec2(deep, slack + hair + blur * deep);
     slopes = vec4(0.0);
     take_stroke();
-    bool short_one = spine == 1 && size <= SHORT;
-    if (short_one && !seen(0.5 * size)) return;
+#ifdef SHORT_FINS
+    if (size > SHORT || !seen(0.5 * size)) return;
+#else
+    if (spine == 1 && size <= SHORT) return;
+#endif
     float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
         line_a = from;
@@ -88,7 +91,6 @@ void emit(int a, int b, int c, int across, int shape) {
         float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
         float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
         reach = vec3(t, s, z);
-        decided = float(short_one);
         gl_Position = on_screen(from.xy + t * v + s * n);
         gl_Position.z = 2.0 * (z - range.x) / (range.y - range.x) - 1.0;
         EmitVertex();
@@ -100,10 +102,19 @@ void emit(int a, int b, int c, int across, int shape) {
 // number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
 void main() {
     bool front = is_front(0, 2, 4);
-    for (int k = 0; k < 6; k += 2) {
-        int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
-        if (number[across] == number[a]) emit(a, b, c, a, RING);
-        else if (number[c] <= number[across] && front != is_front(a, across, b))
-            emit(a, b, c, across, kind_of(a, b, c, across));
+    int drawn = 0;  // bits of its sides
+    for (int k = 0; k < 3; ++k) {
+        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
+        bool alone = number[across] == number[a];
+        if (alone || (number[c] <= number[across] && front != is_front(a, across, b)))
+            drawn |= 1 << k;
+    }
+    // A side at a time, whichever it is: drivers in software run several triangles in step.
+    while (drawn != 0) {
+        int k = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 1 : 2;
+        drawn &= drawn - 1;
+        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
+        bool alone = number[across] == number[a];
+        emit(a, b, c, alone ? a : across, alone ? RING : kind_of(a, b, c, across));
     }
 }

@@ -21,6 +21,7 @@ from typing import ClassVar
 from glshim.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
+from stylers.crease import Crease
 from stylers.fins import Fins
 
 SCENES = {
@@ -34,6 +35,11 @@ class Unsieved(Styler):
 
     name: ClassVar[str] = "unsieved"
     style: Styler = Fins()  # noqa: RUF009
+
+    @property
+    def wants_normals(self) -> bool:
+        """As the style."""
+        return self.style.wants_normals
 
     def draws(self, layer: Layer) -> Iterable[object]:
         for one in self.style.draws(layer):
@@ -55,6 +61,10 @@ MODES = {
     ALONE: Mode(None),
     "fins, all triangles": Mode(Unsieved(Fins())),
     "fins": Mode(Fins(), (1, 10, 100)),
+    "fins, lit": Mode(Fins(fill="lit")),
+    "fins, cel": Mode(Fins(fill="cel")),
+    "crease, all triangles": Mode(Unsieved(Crease())),
+    "crease": Mode(Crease(), (1, 10, 100)),
 }
 
 

@@ -9,10 +9,12 @@ from itertools import chain
 from typing import Any
 
 from glshim.styling.protocol import Styler
+from stylers.crease import Crease
 from stylers.edge_mesh import EdgeMesh
 from stylers.fins import Fins
 from stylers.raskar import Raskar
 from tests.score import truth
+from tests.score.smooth import CREASE_ANGLE
 
 _OPTIONS = frozenset(f.name for f in fields(Raskar))
 KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
@@ -68,6 +70,13 @@ SUBJECTS: dict[str, Subject] = {
             "valleys": ("valley_width",),
         },
         fixed=_ANGLES | _WELDED,
+    ),
+    "crease": Subject(
+        Crease,
+        {"creases": ("creases",), "smooth": ("silhouettes",)},
+        {"creases": ("crease_width",), "smooth": ("silhouette_width",)},
+        reach=0.5,
+        fixed={"angle": CREASE_ANGLE, "rule": "angle"},
     ),
     "fins": Subject(
         Fins, {"silhouettes": ()}, {"silhouettes": ("half_width",)}, fixed=_WELDED

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,7 +13,7 @@ from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
 from tests import look
-from tests.score import truth
+from tests.score import smooth, truth
 from tests.score.ink import Verdict, inked, judge
 from tests.score.sight import BESIDE, SURE, UNSURE, Places, Scene, places
 from tests.score.subjects import SUBJECTS
@@ -95,11 +95,11 @@ def camera_path(count=24) -> list[Camera]:
     ]
 
 
-def visible(mesh: truth.Body, camera: Camera) -> dict[str, Places]:
-    """The places along the lines of each kind."""
+def visible(mesh: truth.Body, camera: Camera, kinds: Iterable[str]) -> dict[str, Places]:
+    """The places along the lines of some kinds."""
     scene = Scene(mesh, camera)
-    found = truth.lines(mesh, camera)
-    return {kind: places(scene, lines) for kind, lines in found.items()}
+    found = truth.lines(mesh, camera) | smooth.lines(mesh, camera)
+    return {kind: places(scene, found[kind]) for kind in kinds}
 
 
 def look_at_views(
@@ -113,7 +113,7 @@ def look_at_views(
     for number, camera in enumerate(camera_path(count)):
         if only is not None and number not in only:
             continue
-        true = visible(mesh, camera)
+        true = visible(mesh, camera, kinds_drawn)
         look.clear()
         look.draw_base(batch, camera)
         before = look.pixels(SIZE, SIZE)
@@ -137,6 +137,8 @@ COLOURS = {
     "ridges": (20, 60, 220),
     "valleys": (220, 40, 30),
     "intersections": (20, 160, 40),
+    "creases": (150, 60, 200),
+    "smooth": (240, 150, 20),
 }
 
 
