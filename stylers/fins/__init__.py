@@ -34,8 +34,8 @@ def _shader(name: str, defined: str = "") -> MeshShader:
 
 FINS = _shader("fins")
 SHORT_FINS = _shader("short fins", "#define SHORT_FINS\n")
-"""Those of a few pixels, of which the geometry shader alone finds out whether they are seen. Drivers
-in software would walk through every branch of a shader that drew both."""
+"""Those of a few pixels, of which the geometry shader alone finds out whether they are seen.
+Drivers in software would walk through every branch of a shader that drew both."""
 _SHORT = 4.0
 """Pixels, as in the shader."""
 JOINTS = ("none", "overhang", "round")

@@ -19,8 +19,8 @@ uniform int spine;         // 1: the depth of the middle decides for all of the 
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
-const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of such a
-                                 // fin, and it is given here (SHORT_FINS)
+const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of
+                                 // such a fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
