@@ -286,8 +286,10 @@ class Styler:
 
     @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour."""
-        return "app"
+        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour.
+        It is the option ``fill`` of styles that have one."""
+        fill: str | Colour = getattr(self, "fill", "app")
+        return fill
 
     @abstractmethod
     def draws(self, layer: Layer) -> Iterable[Draw | Pass | BackFaces]:

@@ -83,6 +83,11 @@ class Fins(Styler):
     bands: float = option(4.0, help="shades of light (cel)", low=2.0, high=16.0)
 
     @property
+    def wants_normals(self) -> bool:
+        """Light falls by them."""
+        return self.fill in ("lit", "cel")
+
+    @property
     def surface(self) -> str | Colour:
         """The option `fill`: what is lit anew is painted over the app's own."""
         return "app" if self.fill in ("lit", "cel") else self.fill
@@ -94,7 +99,8 @@ class Fins(Styler):
             return
         if self.fill in ("lit", "cel"):
             bands = round(self.bands) if self.fill == "cel" else 0
-            yield from lit_passes(found, layer.light, Lighting(self.paint, self.shine, bands))
+            look = Lighting(self.paint, self.shine, bands)
+            yield from lit_passes(found, layer.light, look, self.tolerance)
         uniforms: dict[str, Uniform] = {
             "half_width": self.half_width,
             "overhang": self.overhang if self.joints == "overhang" else 0.0,

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.protocol import BackFaces, Colour, Layer, Styler, option
+from stylers import options
 
 
 @dataclass(frozen=True)
@@ -28,10 +29,7 @@ class TwoPass(Styler):
     )  # fmt: skip
     smooth: bool = option(True, help="lines with smooth edges (GL_LINE_SMOOTH)")
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the front faces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
+    fill: str | Colour = options.fill("the front faces")  # noqa: RUF009
 
     @property
     def surface(self) -> str | Colour:
