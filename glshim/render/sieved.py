@@ -80,17 +80,10 @@ class Sieved:
         rows = self._edge_sieve.candidates(eye, sieve.wanted, sieve.angles)
         if element != "adjacency":
             return rows
-        here = np.zeros(len(self._mesh.triangles), np.bool_)
-        here[self._triangles.take(rows)] = True
-        return np.flatnonzero(here).astype(np.int32)
-
-    @cached_property
-    def _triangles(self) -> Ints:
-        """(R,) the triangle that draws each row of the edge mesh: the one whose corner off the
-        edge has the lesser number."""
-        rows = self._edges.rows
-        (a, b), (c, d) = self._mesh.faces[rows].T, self._mesh.opposite[rows].T
-        return np.asarray(np.where((b < 0) | (c <= d), a, b))
+        # Both triangles at an edge: seen edge on, rounding may give their other sides a line.
+        here = np.zeros(len(self._mesh.triangles) + 1, np.bool_)  # the last one is none, -1
+        here[self._mesh.faces[self._edges.rows[rows]]] = True
+        return np.flatnonzero(here[:-1]).astype(np.int32)
 
     def _forget(self) -> None:
         if self._texture:
