@@ -163,7 +163,8 @@ def kept(
         if out is not None:
             out.mkdir(parents=True, exist_ok=True)
             picture = np.rint(255.0 * (1.0 - ink[::-1])).astype(np.uint8)
-            Image.fromarray(picture).save(out / f"{mesh}-{name.replace(', ', '_')}-{number:03d}.png")
+            file = f"{mesh}-{name.replace(', ', '_')}-{number:03d}.png"
+            Image.fromarray(picture).save(out / file)
         yield ink
 
 
@@ -174,12 +175,12 @@ def main(given: list[str]) -> int:
     parser.add_argument("--only", action="append", choices=MESHES)
     parser.add_argument("--out", type=Path, metavar="DIR", help="every frame as a picture")
     parser.add_argument("--check", action="store_true",
-                        help=f"exit status 1 where fins or creases flicker more than {BASIS}")  # fmt: skip
+                        help=f"exit status 1 where fins or creases flicker more than {BASIS}")
     args = parser.parse_args(given)
     made = {name: MESHES[name]() for name in args.only or MESHES}  # GLUT has a window of its own
     found = table(made, args.frames, args.step, args.out)
     worse = [(mesh, name) for mesh, rows in found.items() for name, row in rows.items()
-             if name.startswith(("fins", "crease")) and row.flicker > rows[BASIS].flicker]  # fmt: skip
+             if name.startswith(("fins", "crease")) and row.flicker > rows[BASIS].flicker]
     for mesh, name in worse:
         print(f"{mesh}: {name} flickers more than {BASIS}")
     return int(args.check and bool(worse))

@@ -87,8 +87,7 @@ class State:
 @dataclass(frozen=True, slots=True)
 class Sieve:
     """Elements that surely are none of these are left out before the shader decides. Of meshes that
-    a pose moves none are. Triangles with adjacency stay for the sake of their edges: of the two at
-    an edge the one whose corner off it has the lesser number; or where the pass has creases for the
+    a pose moves none are. Triangles with adjacency stay for the sake of their edges, or where the pass has creases for the
     bits of `glshim.geometry.sieve`."""
 
     wanted: int

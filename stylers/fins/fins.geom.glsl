@@ -19,8 +19,8 @@ uniform int spine;         // 1: the depth of the middle decides for all of the 
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
-const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of such a
-                                 // fin, and it is given here (SHORT_FINS)
+const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of
+                                 // such a fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
@@ -114,7 +114,7 @@ void main() {
         int k = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 1 : 2;
         drawn &= drawn - 1;
         int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
-        bool alone = number[across] == number[a];
-        emit(a, b, c, alone ? a : across, alone ? RING : kind_of(a, b, c, across));
+        if (number[across] == number[a]) emit(a, b, c, a, RING);
+        else emit(a, b, c, across, kind_of(a, b, c, across));
     }
 }

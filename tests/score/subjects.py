@@ -36,6 +36,8 @@ class Subject:
     reach: float = 1.0
     """Of that width, from the true line on: 1 where the option is half a line's width, or where
     lines lie outside the object; 0.5 where it is all of the width, on both sides."""
+    welds: bool = False
+    """Whether corners are made equal for it, that has no tolerance."""
     fixed: Mapping[str, Any] = field(default_factory=dict)
     """Options that are not the defaults."""
 
@@ -76,6 +78,7 @@ SUBJECTS: dict[str, Subject] = {
         {"creases": ("creases",), "smooth": ("silhouettes",)},
         {"creases": ("crease_width",), "smooth": ("silhouette_width",)},
         reach=0.5,
+        welds=True,
         fixed={"angle": CREASE_ANGLE, "rule": "angle"},
     ),
     "fins": Subject(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from OpenGL import GL
@@ -109,6 +109,8 @@ def look_at_views(
     name: of the style."""
     subject = SUBJECTS[name]
     kinds_drawn = tuple(subject.switches)
+    if subject.welds:
+        batch = replace(batch, positions=batch.positions[truth.weld(batch.positions)])
     mesh = truth.body(batch)
     for number, camera in enumerate(camera_path(count)):
         if only is not None and number not in only:
