@@ -50,6 +50,8 @@ class Resident:
         """Elements of a kind."""
         if element == "edges":
             return len(self.edges.rows)
+        if element == "lines":
+            return 3 * len(self.mesh.triangles)
         return len(self.mesh.edges if element == "sides" else self.mesh.triangles)
 
     def bind(self) -> None:
@@ -66,7 +68,7 @@ class Resident:
             return
         found = self._indices[element] = Indices()
         own = self.creases or self.mesh
-        found.fill(own.triangles if element == "surface" else self.sieved.adjacency)
+        found.fill(own.triangles if element == "surface" else self.sieved.indices(element))
 
     def free(self) -> None:
         """Delete the textures and buffers."""

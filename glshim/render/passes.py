@@ -33,8 +33,8 @@ from glshim.render.textures import Textures
 from glshim.styling.passes import VERTICES, Body, Comparison, Pass, State, Stencil
 
 _MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}
-_BY_INDEX = {"surface": (0x0004, 3), "adjacency": (0x000C, 6)}
-"""Elements that are drawn by index: the mode, and indices of a triangle."""
+_BY_INDEX = {"surface": (0x0004, 3), "adjacency": (0x000C, 6), "lines": (0x000A, 4)}
+"""Elements that are drawn by index: the mode, and indices of each."""
 _TESTS = {"never": 0x0200, "less": 0x0201, "equal": 0x0202, "lequal": 0x0203, "greater": 0x0204,
           "notequal": 0x0205, "gequal": 0x0206, "always": 0x0207}  # fmt: skip
 _TURNED: dict[Comparison, Comparison] = {

@@ -1,5 +1,5 @@
 """The elements that a sieve leaves of a recovered mesh: their numbers as a texture, and indices of
-triangles with adjacency."""
+lines and triangles with adjacency."""
 
 from __future__ import annotations
 
@@ -22,6 +22,9 @@ from glshim.styling.passes import Element, Sieve
 UNIT = 12
 """Texture unit of the numbers."""
 Ints = NDArray[np.int32]
+_INDEXED = ("adjacency", "lines")
+_LINE = np.array((4, 0, 2, 1))
+"""Where in the six of a triangle the four of its first side are: c, a, b, across."""
 
 
 class Sieved:
@@ -53,21 +56,31 @@ class Sieved:
     def _triangle_sieve(self) -> TriangleSieve | None:
         return None if self._creases is None else TriangleSieve(self._creases)
 
+    def indices(self, element: Element, rows: Ints | None = None) -> Ints:
+        """Indices of some lines, or triangles with adjacency, or of all."""
+        if element == "adjacency":
+            return self.adjacency if rows is None else self.adjacency.take(rows, axis=0)
+        if rows is None:
+            rows = np.arange(3 * len(self._mesh.triangles), dtype=np.int32)
+        side = rows % 3
+        places = (2 * side[:, None] + _LINE) % 6 + 6 * (rows // 3)[:, None]
+        return np.asarray(self.adjacency.ravel().take(places))
+
     def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
-        """Bind the texture of the elements that remain at `UNIT`, and of triangles their indices to
-        the vertex array; how many those are."""
+        """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any
+        to the vertex array; how many those are."""
         key = eye.tobytes(), sieve, element
         if key != self._last:
             rows = self._remaining(eye, sieve, element)
-            if element == "adjacency":
+            if element in _INDEXED:
                 if self._indices is None:
                     self._indices = Indices()
-                self._indices.fill(self.adjacency.take(rows, axis=0))
+                self._indices.fill(self.indices(element, rows))
             self._forget()
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
             self._texture, self._count, self._last = upload(texels), len(rows), key
-        if element == "adjacency" and self._indices is not None:
+        if element in _INDEXED and self._indices is not None:
             self._indices.bind()
         gl.glActiveTexture(0x84C0 + UNIT)
         gl.glBindTexture(0x0DE1, self._texture)
@@ -78,20 +91,22 @@ class Sieved:
         if self._triangle_sieve is not None:
             return self._triangle_sieve.candidates(eye, sieve.wanted)
         rows = self._edge_sieve.candidates(eye, sieve.wanted, sieve.angles)
-        if element != "adjacency":
+        if element not in _INDEXED:
             return rows
-        here = np.zeros(len(self._mesh.triangles), np.bool_)
-        here[self._triangles.take(rows)] = True
+        halves = self._halves.take(rows)
         if sieve.wanted & CONTOUR:  # a contour may be inside a flat polygon that is seen edge on
-            here[self._edge_sieve.facing.doubtful(eye)] = True
-        return np.flatnonzero(here).astype(np.int32)
+            doubtful = self._edge_sieve.facing.doubtful(eye)
+            if len(doubtful):
+                more = (3 * doubtful[:, None] + np.arange(3)).ravel()
+                halves = np.unique(np.concatenate((halves, more))).astype(np.int32)
+        return halves if element == "lines" else np.unique(halves // 3)
 
     @cached_property
-    def _triangles(self) -> Ints:
-        """(R,) the triangle that draws each row of the edge mesh: the one whose corner off the
-        edge has the lesser number."""
+    def _halves(self) -> Ints:
+        """(R,) the halfedge that draws each row of the edge mesh: that whose corner off it has the
+        lesser number."""
         rows = self._edges.rows
-        (a, b), (c, d) = self._mesh.faces[rows].T, self._mesh.opposite[rows].T
+        (a, b), (c, d) = self._mesh.halves[rows].T, self._mesh.opposite[rows].T
         return np.asarray(np.where((b < 0) | (c <= d), a, b))
 
     def _forget(self) -> None:

@@ -19,11 +19,13 @@ from glshim.styling.values import Layer, Uniform
 
 Comparison = Literal["always", "never", "less", "lequal", "equal", "notequal", "gequal", "greater"]
 Action = Literal["keep", "replace", "increase", "decrease", "zero"]
-Element = Literal["edges", "sides", "triangles", "screen", "surface", "adjacency"]
+Element = Literal["edges", "sides", "triangles", "screen", "surface", "adjacency", "lines"]
 """What a shader runs over. Sides: the edges, and those left out of the edge mesh because they lie
 inside flat polygons, so that every side of every triangle is in one row. Surface: the triangles by
 index, so that the vertex shader runs once a vertex, ``gl_VertexID``. Adjacency: the same with the
-vertices across the sides, six indices a triangle, for a geometry shader."""
+vertices across the sides, six indices a triangle, for a geometry shader. Lines: the halfedges (3 t
++ k begins at corner k of triangle t), four indices each, for one, too: the triangle's third corner,
+both ends, and the vertex across, which is the first end again where there is none."""
 Primitive = Literal["lines", "quads", "triangles"]
 Actions = tuple[Action, Action, Action]
 """What happens to the stencil where its test fails, where depth fails, and where both pass."""
@@ -52,7 +54,7 @@ class MeshShader:
     vertex: str
     fragment: str
     geometry: str = ""
-    """Follows the preludes of `vertex`; for element ``adjacency``."""
+    """Follows the preludes of `vertex`; for elements ``adjacency`` and ``lines``."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,8 +89,9 @@ class State:
 @dataclass(frozen=True, slots=True)
 class Sieve:
     """Elements that surely are none of these are left out before the shader decides. Of meshes that
-    a pose moves none are. Triangles with adjacency stay for the sake of their edges, or where the pass has creases for the
-    bits of `glshim.geometry.sieve`."""
+    a pose moves none are. Lines, and triangles with adjacency, stay for the sake of their edges: of
+    the two at an edge the one whose corner off it has the lesser number; or where the pass has
+    creases for the bits of `glshim.geometry.sieve`."""
 
     wanted: int
     """Bits of `glshim.geometry.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
@@ -118,7 +121,7 @@ class Pass:
     pose: Pose | None = None
     """How the shader moves vertices before anything else; None: as the app sent them."""
     sieve: Sieve | None = None
-    """For edges and triangles with adjacency: which of them may be left out; None: none."""
+    """For edges, lines and triangles with adjacency: which of them may be left out; None: none."""
     creases: Criterion | None = None
     """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
     sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""

@@ -8,7 +8,7 @@ Visibility", 2010).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.resources import files
 from math import pi
 from typing import ClassVar
@@ -26,18 +26,23 @@ def _text(name: str) -> str:
     return (_HERE / name).read_text("utf-8")
 
 
-def _shader(name: str, defined: str = "") -> MeshShader:
-    stroke = defined + _STROKE
-    fragment, geometry = stroke + _text("fins.frag.glsl"), stroke + _text("fins.geom.glsl")
-    return MeshShader(name, _text("fins.vert.glsl"), fragment, geometry)
+def _shader(name: str, fragment: str, *defined: str) -> MeshShader:
+    given = "".join(f"#define {word}\n" for word in defined)
+    # The stroke of a short one stays in the geometry shader.
+    own = "#undef PASSED\n#define PASSED\n" if "SHORT_FINS" in defined else ""
+    geometry = given + own + _STROKE + _text("fins.geom.glsl")
+    return MeshShader(name, _text("fins.vert.glsl"), given + fragment, geometry)
 
 
-FINS = _shader("fins")
-SHORT_FINS = _shader("short fins", "#define SHORT_FINS\n")
-"""Those of a few pixels, of which the geometry shader alone finds out whether they are seen.
-Drivers in software would walk through every branch of a shader that drew both."""
-_SHORT = 4.0
-"""Pixels, as in the shader."""
+_LONG, _SHORT = _STROKE + _text("fins.frag.glsl"), _text("short.frag.glsl")
+FINS = _shader("fins", _LONG), _shader("short fins", _SHORT, "SHORT_FINS")
+"""Over triangles with adjacency, as in the article. Of fins of a few pixels the geometry shader
+finds out whether they are seen: drivers in software would ask for each pixel, of which these have
+more than their share, and would walk through every branch of a shader that drew both."""
+SIDES = _shader("sides", _LONG, "LINES"), _shader("short sides", _SHORT, "LINES", "SHORT_FINS")
+"""Over halfedges, of which a sieve leaves few: the same picture, sooner."""
+_SHORTEST = 4.0
+"""Pixels of the longest short fin, as in the shader."""
 JOINTS = ("none", "overhang", "round")
 _CONTOURS = Sieve(CONTOUR | BOUNDARY, (pi, pi))
 
@@ -111,8 +116,15 @@ class Fins(Styler):
             "hidden_share": 0.0,
         }
         state = State(depth="always", blend="greatest")
-        for shader in (FINS, SHORT_FINS) if self.spine else (FINS,):
+        for short, shader in enumerate(SIDES if self.spine else SIDES[:1]):
             yield Pass(
-                shader, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
-                tolerance=self.tolerance, least=_SHORT if shader is FINS and self.spine else 0.0,
+                shader, found, "lines", state=state, uniforms=uniforms, sieve=_CONTOURS,
+                tolerance=self.tolerance, least=0.0 if short or not self.spine else _SHORTEST,
             )  # fmt: skip
+
+
+def as_printed(one: Pass) -> Pass:
+    """A pass of this style with the article's own shader, over all triangles with adjacency."""
+    if one.shader not in SIDES:
+        return one
+    return replace(one, shader=FINS[SIDES.index(one.shader)], element="adjacency", sieve=None)

@@ -22,10 +22,8 @@ void main() {
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
     if (alpha <= 0.0) discard;
-#ifndef SHORT_FINS
     // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
     if (spine == 1 ? !seen(clamp(on, 2.0, span - 2.0)) : finished(gl_FragCoord.xy) < reach.z - hair)
         discard;
-#endif
     colour = vec4(alpha * ink, alpha);
 }

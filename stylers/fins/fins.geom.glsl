@@ -1,12 +1,18 @@
 // What:   a fin, a quad along an edge between a front and a back face, or along an open edge.
 // Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the
-//         next one, or that corner again where nothing is. stroke.glsl.
+//         next one, or that corner again where nothing is. Or one side (LINES): the third corner, both
+//         ends, the vertex across. stroke.glsl.
 // Source: Rideout 2010, "Basic Fins", "The Spine Test", "Mind the Gap!". His facing test is the z
 //         of a cross product on the screen; here it is taken before projection, so that what lies
 //         behind the viewer counts right.
 
+#ifdef LINES
+layout(lines_adjacency) in;
+layout(triangle_strip, max_vertices = 4) out;
+#else
 layout(triangles_adjacency) in;
 layout(triangle_strip, max_vertices = 12) out;
+#endif
 
 in vec3 place[];
 in int number[];
@@ -16,6 +22,9 @@ uniform float overhang;    // share of its length by which a fin goes on at both
 uniform int joints;        // ROUND or not
 uniform int spine;         // 1: the depth of the middle decides for all of the width
 
+#ifdef SHORT_FINS
+flat out float edge;            // its length, pixels
+#endif
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
@@ -39,7 +48,12 @@ bool is_front(int a, int b, int c) {
 int kind_of(int a, int b, int c, int across) {
     vec3 own = cross(place[b] - place[a], place[c] - place[a]);
     vec3 other = cross(place[across] - place[a], place[b] - place[a]);
-    if ((triangle_at(element()).w & 1) == 1) {
+#ifdef LINES
+    int triangle = element() / 3;
+#else
+    int triangle = element();
+#endif
+    if ((triangle_at(triangle).w & 1) == 1) {
         vec3 out_of = normal(number[a]) + normal(number[b]) + normal(number[c]);
         float rise = dot(place[across] - place[a], own);
         if (dot(out_of, own) < 0.0 ? rise < 0.0 : rise > 0.0) return HOLLOW;
@@ -82,12 +96,16 @@ void emit(int a, int b, int c, int across, int shape) {
 #endif
     float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
+#ifdef SHORT_FINS
+        edge = size;
+#else
         line_a = from;
         line_b = to;
         onwards = repeats = vec2(0.0);
         slopes = vec4(0.0);
         extent = vec3(-half_width, half_width, float(shape));
         grain = vec2(deep, slack + hair + blur * deep);
+#endif
         float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
         float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
         reach = vec3(t, s, z);
@@ -100,21 +118,28 @@ void emit(int a, int b, int c, int across, int shape) {
 
 // In the article the front triangle draws the edge; here the one whose corner off it has the lesser
 // number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
+bool draws(int a, int b, int c, int across) {
+    if (number[across] == number[a]) return true;
+    return number[c] <= number[across] && is_front(a, b, c) != is_front(a, across, b);
+}
+
+void draw(int a, int b, int c, int across) {
+    if (number[across] == number[a]) emit(a, b, c, a, RING);
+    else emit(a, b, c, across, kind_of(a, b, c, across));
+}
+
 void main() {
-    bool front = is_front(0, 2, 4);
+#ifdef LINES
+    if (draws(1, 2, 0, 3)) draw(1, 2, 0, 3);
+#else
     int drawn = 0;  // bits of its sides
-    for (int k = 0; k < 3; ++k) {
-        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
-        bool alone = number[across] == number[a];
-        if (alone || (number[c] <= number[across] && front != is_front(a, across, b)))
-            drawn |= 1 << k;
-    }
+    for (int k = 0; k < 3; ++k)
+        if (draws(2 * k, (2 * k + 2) % 6, (2 * k + 4) % 6, 2 * k + 1)) drawn |= 1 << k;
     // A side at a time, whichever it is: drivers in software run several triangles in step.
     while (drawn != 0) {
-        int k = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 1 : 2;
+        int a = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 2 : 4;
         drawn &= drawn - 1;
-        int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
-        if (number[across] == number[a]) emit(a, b, c, a, RING);
-        else emit(a, b, c, across, kind_of(a, b, c, across));
+        draw(a, (a + 2) % 6, (a + 4) % 6, a + 1);
     }
+#endif
 }

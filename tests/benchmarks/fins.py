@@ -22,7 +22,7 @@ from glshim.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
 from stylers.crease import Crease
-from stylers.fins import Fins
+from stylers.fins import Fins, as_printed
 
 SCENES = {
     count: f"{count} object{'s' * (count > 1)}, 112,000 triangles" for count in (1, 10, 100)
@@ -43,7 +43,7 @@ class Unsieved(Styler):
 
     def draws(self, layer: Layer) -> Iterable[object]:
         for one in self.style.draws(layer):
-            yield replace(one, sieve=None) if isinstance(one, Pass) else one
+            yield as_printed(replace(one, sieve=None)) if isinstance(one, Pass) else one
 
 
 @dataclass(frozen=True)

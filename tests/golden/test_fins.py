@@ -11,7 +11,7 @@ from OpenGL import GL
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.fins import Fins
+from stylers.fins import Fins, as_printed
 from tests import look
 from tests.golden.test_fins_reference import MESHES, mobius
 
@@ -172,7 +172,7 @@ def test_the_sieve_changes_no_picture(backend, make, joints):
             look.draw_base(mesh, camera, SHADE)
             before = look.pixels()
             passes = Fins(joints=joints).draws(Layer(((mesh, camera),)))
-            backend.render([one if sieved else replace(one, sieve=None) for one in passes])
+            backend.render([one if sieved else as_printed(one) for one in passes])
             found.append(look.pixels())
         assert (found[0] == found[1]).all()
         inked += (before != found[0]).any(axis=2).sum()

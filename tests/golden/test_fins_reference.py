@@ -15,7 +15,7 @@ from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.render.depth import DepthCopy
 from glshim.render.guard import Guard
 from glshim.styling.protocol import Layer
-from stylers.fins import Fins
+from stylers.fins import Fins, as_printed
 from tests import look
 from tests.decision import edge_mesh as decision
 
@@ -82,13 +82,15 @@ def six_of(mesh):
 @pytest.mark.parametrize("make", MESHES)
 @pytest.mark.parametrize("seen", CAMERAS)
 @pytest.mark.parametrize("joints", ["none", "overhang", "round"])
-def test_the_gpu_emits_the_reference(run, make, seen, joints):
+@pytest.mark.parametrize("over", ["triangles", "halfedges"])
+def test_the_gpu_emits_the_reference(run, make, seen, joints, over):
     batch, camera = MESHES[make](), CAMERAS[seen]
     mesh, style = recovered(batch), Fins(**SHAPE, joints=joints)
     (one,) = style.draws(Layer(((batch, camera),)))
+    one = as_printed(one) if over == "triangles" else replace(one, sieve=None)
     names = {"gl_Position": 4, "reach": 3}
     with Guard():
-        found = run.varyings(replace(one, sieve=None), names, depth=DepthCopy(), hair=0.0)[0]
+        found = run.varyings(one, names, depth=DepthCopy(), hair=0.0)[0]
     six = six_of(mesh)
     sides = drawn_sides(six, mesh.positions, camera)
     wanted = fins(
