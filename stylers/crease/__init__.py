@@ -141,6 +141,7 @@ class Crease(Styler):
             "spine": int(self.spine),
             "back_faces": int(self.hidden_by == "back_faces"),
             "verified": int(self.indicator == "verifiers"),
+            "cuts": int(textured > 0),
             "textured": textured,
             "repeat": repeat,
             "hidden_share": 0.0,

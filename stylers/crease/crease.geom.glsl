@@ -66,11 +66,11 @@ void emit(int a, int b, int c, int d, bool contour, int kind) {
     // The outer side of a bend is where a bisector grows long.
     l.mitre_a = mitre(l, v_before, dot(l.n, v_before) > 0.0, l.joined_a);
     l.mitre_b = mitre(l, v_after, dot(l.n, v_after) < 0.0, l.joined_b);
-    put(l, -half_width - 1.0, 0.0, planes, kind, true, deep);
+    put(l, -half_width - 1.0, JOINT, planes, kind, true, deep);
     if (!contour) return;
     l.mitre_a = l.mitre_b = l.n;
     l.joined_a = l.joined_b = false;
-    put(l, 0.0, half_width + 1.0, planes, kind, false, deep);
+    put(l, -JOINT, half_width + 1.0, planes, kind, false, deep);
 }
 
 void main() {

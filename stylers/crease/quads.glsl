@@ -12,9 +12,10 @@ in vec3 turn[];
 in vec4 difference[];
 
 uniform float half_width;      // pixels
+uniform int cuts;              // 1: ends are cut along bisectors, for textures; 0: they are round
 
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
-flat out ivec3 made;           // whether the ends are joined to others; whether it lies on a surface
+flat out int on_surface;       // whether the quad lies on its triangle
 
 const float JOINT = 0.05;      // pixels by which quads overlap against rounding
 const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
@@ -57,13 +58,13 @@ struct Line {
 vec2 mitre(Line l, vec2 neighbour, bool left_side_only, out bool joined) {
     vec2 other = perpendicular(neighbour);
     float turned = 1.0 + dot(other, l.n);
-    joined = neighbour != vec2(0.0) && turned > (left_side_only ? HAIRPIN : SHARPEST);
+    joined = cuts == 1 && neighbour != vec2(0.0) && turned > (left_side_only ? HAIRPIN : SHARPEST);
     return joined ? (other + l.n) / turned : l.n;
 }
 
 // A quad between two distances outwards from a line, in the plane of the triangle on its left or in
 // that of the screen. planes: depths a pixel on the triangles on the left and on the right.
-void put(Line l, float low, float high, vec4 planes, int kind, bool on_surface, float deep) {
+void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, float deep) {
     float slack = slack_of(kind, deep, abs(l.to.z - l.from.z) / l.size);
     vec2 lean = vec2(dot(l.mitre_a, l.v), dot(l.mitre_b, l.v));
     float cap = max(-low, high);
@@ -82,7 +83,7 @@ void put(Line l, float low, float high, vec4 planes, int kind, bool on_surface, 
         extent = vec3(low, high, float(kind));
         grain = vec2(deep, slack + hair + blur * deep);
         spot = vec3(t, s, l.from.z + dot(planes.xy, aside));
-        made = ivec3(l.joined_a, l.joined_b, on_surface);
+        on_surface = int(flat_on);
         gl_Position = on_screen(l.from.xy + aside);
         EmitVertex();
     }
