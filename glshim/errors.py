@@ -11,6 +11,9 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
+
 
 class GlshimError(Exception):
     """Root of the tree: one clear line that says what, where and what to do."""
@@ -34,3 +37,14 @@ class EnvironmentFault(GlshimError):
 
 class RenderError(GlshimError):
     """The extra geometry could not be drawn in this context."""
+
+
+def nearest(name: str, known: Iterable[str]) -> tuple[str, ...]:
+    """The known names that one may have been meant to be, the likeliest first: those that are much
+    like it, or where there are none those that are somewhat."""
+    words = tuple(known)
+    for least in (0.7, 0.5):
+        found = difflib.get_close_matches(name, words, n=3, cutoff=least)
+        if found:
+            return tuple(found)
+    return ()

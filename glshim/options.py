@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import re
 import sys
@@ -11,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, UnknownNameError
+from glshim.errors import StyleError, UnknownNameError, nearest
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
 from stylers.looks import looks
@@ -114,7 +113,7 @@ def _option(styler: type[Styler], key: str) -> Option:
 
 def _unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
     known = tuple(known)
-    near = tuple(difflib.get_close_matches(name, known, n=3, cutoff=0.5))
+    near = nearest(name, known)
     if near:
         hint = f"did you mean {' or '.join(near)}?"
     else:

@@ -17,9 +17,10 @@ from .following.follower import Follower
 from .following.scene import Scene, integer, say_unstyled
 from .notices import say_fault
 from .render.backend import Backend
+from .render.fixed import FixedPen
 from .render.surface import Surface
 from .spec.driver import current_context
-from .styling.protocol import Layer, Styler
+from .styling.protocol import BackFaces, Layer, Styler
 
 _DOUBLE_BUFFER = 0x0C32
 
@@ -82,7 +83,13 @@ class Pipeline:
         if not draws:
             return
         try:
-            _backend(scene).render(draws)
+            fixed = [draw for draw in draws if isinstance(draw, BackFaces)]
+            others = [draw for draw in draws if not isinstance(draw, BackFaces)]
+            if fixed:
+                scene.mark()
+                _FIXED.render(fixed)
+            if others:
+                _backend(scene).render(others)
         except RenderError as error:
             scene.refused = str(error)
             say_unstyled(str(error))
@@ -94,6 +101,7 @@ class Pipeline:
         return frames.present(call)
 
 
+_FIXED = FixedPen()
 _current: Pipeline | None = None
 _backends: dict[int, tuple[Scene, Backend]] = {}
 """By context, with the scene that each was made for, which knows when its context is gone. They

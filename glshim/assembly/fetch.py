@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,11 @@ class Unfetchable(Exception):
     """The positions of this draw cannot be had; the text says why."""
 
 
+_EPOCHS = count()
+"""No two fetchers share one: what was derived from keys outlives a style, and buffers may have been
+written while none was installed."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Pointer:
     size: int
@@ -47,7 +53,7 @@ class VertexFetch:
         """wanted: what batches shall come with; normals as far as they are in an array."""
         self._wanted = wanted
         self._versions: dict[int, int] = {}
-        self._epoch = 0
+        self._epoch = next(_EPOCHS)
         self._kept: AgingCache[PolygonBatch] = AgingCache()
 
     def buffer_written(self, name: str, args: tuple[Any, ...]) -> None:
@@ -57,7 +63,7 @@ class VertexFetch:
         elif args and isinstance(args[0], int) and int(args[0]) in _BINDINGS:
             buffer = _integer(_BINDINGS[int(args[0])])
         else:
-            self._epoch += 1
+            self._epoch = next(_EPOCHS)
             return
         self._versions[buffer] = self._versions.get(buffer, 0) + 1
 

@@ -170,6 +170,7 @@ class Creases:
         """
         if mesh.triangles is not self.mesh.triangles:
             raise ValueError("the mesh has another connectivity")
+        corner_normals = _meant(mesh, corner_normals)
         flags = _edges(mesh, self.criterion, self.halfedges.parted)
         was = np.asarray(self.sides.ravel()[self.halfedges.one])
         if not np.array_equal(flags, was):
@@ -192,6 +193,7 @@ def creases(
     corner_normals (T, 3, 3): what the app sent at each corner of `mesh.triangles`, of any length;
     zero or not finite: unknown, which differs from nothing.
     """
+    corner_normals = _meant(mesh, corner_normals)
     one, other = _halfedges(mesh)
     parted = np.zeros(len(one), np.bool_)
     if corner_normals is not None and rule != "angle":
@@ -237,6 +239,22 @@ def _halfedges(mesh: Mesh) -> tuple[Indices, Indices]:
     other = 3 * b + (second.take(b) == start) + 2 * (third.take(b) == start)
     other[b < 0] = -1
     return one.astype(np.int32), other.astype(np.int32)
+
+
+def _meant(mesh: Mesh, sent: Floats | None) -> Floats | None:
+    """Normals (T, 3, 3) without those of components that turn and yet have one normal everywhere: a
+    program that never sends any has (0, 0, 1)."""
+    if sent is None or not len(sent):
+        return sent
+    label = mesh.components
+    first = np.full(int(label.max()) + 1, len(label), np.int32)
+    np.minimum.at(first, label, np.arange(len(label), dtype=np.int32))
+    leader = first[label]
+    alike = (sent == sent[leader, :1]).all(axis=(1, 2))
+    level = dot(mesh.normals, mesh.normals[leader]) > 1.0 - _ALIKE
+    varied, turning = (np.bincount(label, weights=~held) > 0 for held in (alike, level))
+    unsaid = (~varied & turning)[label]
+    return np.where(unsaid[:, None, None], np.float32(0.0), sent) if unsaid.any() else sent
 
 
 def _known(normals: Floats) -> Doubles:

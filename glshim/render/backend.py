@@ -18,32 +18,19 @@ from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, tu
 from glshim.render.canvas import Canvas
 from glshim.render.crossings import Crossings
 from glshim.render.depth import Box, DepthCopy
-from glshim.render.driver import current_context, gl, integer
-from glshim.render.guard import Guard, drain, possible
+from glshim.render.driver import current_context, integer
+from glshim.render.guard import Guard, possible
 from glshim.render.harvest import Harvest
 from glshim.render.laying import Layer
 from glshim.render.legacy import LegacyPen
 from glshim.render.passes import Runner
 from glshim.render.pen import Pen
+from glshim.render.plain import plainly
 from glshim.render.textures import Textures
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Draw
 
-_OFF = (  # what would change or drop the ink: each is enabled by some app
-    0x0B44,  # cull face
-    0x0B90,  # stencil test
-    0x0BE2,  # blend
-    0x0BC0,  # alpha test
-    0x0BF1, 0x0BF2,  # logic ops
-    0x0B42, 0x0B41,  # polygon stipple, smooth
-    0x8037,  # polygon offset fill
-    0x809E, 0x809F, 0x80A0,  # sample alpha to coverage, alpha to one, coverage
-    0x8C89,  # rasterizer discard
-    0x864F,  # depth clamp
-    *range(0x3000, 0x3006),  # clip planes
-    0x0B71,  # depth test: shaders look depth up
-)  # fmt: skip
 _DEPTH_FUNC, _DEPTH_BITS, _FRAMEBUFFER_BINDING = 0x0B74, 0x0D56, 0x8CA6
 _GREATER, _GEQUAL = 0x0204, 0x0206
 _LAID_BITS = 24
@@ -116,13 +103,7 @@ class Backend:
             window = integer(_FRAMEBUFFER_BINDING)
             bits = integer(_DEPTH_BITS)
             greater = integer(_DEPTH_FUNC) in (_GREATER, _GEQUAL)
-            for capability in _OFF:
-                gl.glDisable(capability)
-            drain()  # what older versions do not know of these
-            gl.glDepthMask(0)
-            gl.glStencilMask(0)
-            gl.glColorMask(1, 1, 1, 1)
-            gl.glPolygonMode(0x0408, 0x1B02)
+            plainly()
             self._take_depth(items, box, bits, greater)
             bits = bits or _LAID_BITS
             for run in runs:

@@ -6,14 +6,14 @@ import ctypes
 from types import TracebackType
 
 from glshim.render.driver import gl, integer
-from glshim.spec.context import has_vertex_arrays
+from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
 
 _ALL = 0xFFFFFFFF
 _RENDER = 0x1C00
 _NO_ERROR = 0
 
 _STACKS = (0x0BB0, 0x0D35, 0x0BB1, 0x0D3B)  # attribute stack depth, its limit; the client's
-_RENDER_MODE = 0x0C40
+_RENDER_MODE, _MATRIX_MODE = 0x0C40, 0x0BA0
 _LIST_INDEX = 0x0B33
 _PROGRAM = 0x8B8D
 _VERTEX_ARRAY = 0x85B5
@@ -26,7 +26,7 @@ _SWITCHES = (
     0x8F9D,  # primitive restart
 )
 """What no attribute stack holds. Contexts before 3.0 need not know them."""
-_KEPT = (_PROGRAM, _DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER, _RENDERBUFFER, _ACTIVE_TEXTURE)
+_FRAMEBUFFERS = (_DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER, _RENDERBUFFER)
 
 
 def possible() -> bool:
@@ -51,11 +51,16 @@ class Guard:
     the arrays of the context itself, and the app's objects are not looked into.
     """
 
-    __slots__ = ("_array", "_error", "_kept", "_switches")
+    __slots__ = ("_array", "_error", "_framebuffers", "_mode", "_program", "_switches", "_texture")
 
     def __enter__(self) -> Guard:
         self._error = gl.glGetError()
-        self._kept = [integer(name) for name in _KEPT]
+        number = version() or (1, 1)
+        self._program = integer(_PROGRAM) if number >= (2, 0) else None
+        framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
+        self._framebuffers = [integer(name) for name in framebuffers]
+        self._mode = integer(_MATRIX_MODE)
+        self._texture = integer(_ACTIVE_TEXTURE) if number >= (1, 3) else None
         self._array = integer(_VERTEX_ARRAY) if has_vertex_arrays() else None
         asked = ((switch, bool(gl.glIsEnabled(switch))) for switch in _SWITCHES)
         self._switches = [known for known in asked if gl.glGetError() == _NO_ERROR]
@@ -71,16 +76,20 @@ class Guard:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        program, draw, read, renderbuffer, texture = self._kept
-        gl.glUseProgram(program)
-        gl.glBindFramebuffer(0x8CA9, draw)
-        gl.glBindFramebuffer(0x8CA8, read)
-        gl.glBindRenderbuffer(0x8D41, renderbuffer)
+        if self._program is not None:
+            gl.glUseProgram(self._program)
+        if self._framebuffers:
+            draw, read, renderbuffer = self._framebuffers
+            gl.glBindFramebuffer(0x8CA9, draw)
+            gl.glBindFramebuffer(0x8CA8, read)
+            gl.glBindRenderbuffer(0x8D41, renderbuffer)
         if self._array is not None:
             gl.glBindVertexArray(0)
         gl.glPopClientAttrib()
         gl.glPopAttrib()
-        gl.glActiveTexture(texture)
+        if self._texture is not None:
+            gl.glActiveTexture(self._texture)
+        gl.glMatrixMode(self._mode)  # Mesa 22 pops it before the unit whose stack it may mean
         if self._array:
             gl.glBindVertexArray(self._array)
         for switch, on in self._switches:

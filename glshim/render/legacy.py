@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from glshim.geometry.camera import Camera
 from glshim.notices import say_once
+from glshim.render.arrays import put_the_apps_arrays_away
 from glshim.render.cameras import inputs_of
 from glshim.render.depth import DepthCopy
-from glshim.render.driver import gl, integer
+from glshim.render.driver import gl
 from glshim.render.programs import compiled
 from glshim.spec.context import MODERN
 from glshim.styling.protocol import Expansion, Shader, Uniform
@@ -23,10 +24,7 @@ from glshim.styling.protocol import Expansion, Shader, Uniform
 _SHADERS = files(__package__) / "shaders"
 _VERTEX = (_SHADERS / "legacy.vert.glsl").read_text("utf-8")
 _FRAGMENT = (_SHADERS / "depth.glsl").read_text("utf-8")
-_TRIANGLES, _FLOAT, _ARRAY_BUFFER, _ACTIVE_UNIFORMS = 0x0004, 0x1406, 0x8892, 0x8B86
-_CLIENT_ARRAYS = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
-"""Vertices, normals, colours, indices, edge flags, fog and secondary colours."""
-_TEXTURE_0, _COORDINATES, _MOST_COORDINATES, _MOST_ATTRIBUTES = 0x84C0, 0x8078, 0x8871, 0x8869
+_TRIANGLES, _FLOAT, _ACTIVE_UNIFORMS = 0x0004, 0x1406, 0x8B86
 _TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}
 _FLOATS = {0x1406: "1fv", 0x8B50: "2fv", 0x8B51: "3fv", 0x8B52: "4fv"}
 _MATRICES = {0x8B5A: "Matrix2fv", 0x8B5B: "Matrix3fv", 0x8B5C: "Matrix4fv"}
@@ -84,8 +82,7 @@ class LegacyPen:
         if inputs is None or shader.expand is None:
             return
         gl.glViewport(*camera.viewport)
-        gl.glBindBuffer(_ARRAY_BUFFER, 0)
-        _put_the_apps_arrays_away()
+        put_the_apps_arrays_away()
         for start in range(0, len(records), _AT_ONCE):
             some = records[start : start + _AT_ONCE]
             found = shader.expand(some, camera, uniforms, hair=hair, blur=depth.blur)
@@ -137,17 +134,6 @@ def _draw(found: Expansion, camera: Camera) -> None:
         gl.glVertexAttribPointer(location, width, _FLOAT, 0, stride, data)
     gl.glDrawArrays(_TRIANGLES, 0, len(rows))
     for location in range(len(columns)):
-        gl.glDisableVertexAttribArray(location)
-
-
-def _put_the_apps_arrays_away() -> None:
-    """They may be shorter than what is drawn now."""
-    for array in _CLIENT_ARRAYS:
-        gl.glDisableClientState(array)
-    for unit in range(integer(_MOST_COORDINATES)):
-        gl.glClientActiveTexture(_TEXTURE_0 + unit)
-        gl.glDisableClientState(_COORDINATES)
-    for location in range(integer(_MOST_ATTRIBUTES)):
         gl.glDisableVertexAttribArray(location)
 
 

@@ -109,21 +109,27 @@ class Residents:
         self._kept.tick()
         self._rests.tick()
 
-    def find(self, batches: Sequence[PolygonBatch], criterion: Criterion | None = None) -> Resident:
-        """The mesh that batches of one object space make together, parted at its creases where a
-        criterion says what those are. Valid until `release`."""
-        keys = tuple(batch.key for batch in batches)
-        still = None not in keys
+    def find(
+        self,
+        batches: Sequence[PolygonBatch],
+        criterion: Criterion | None = None,
+        tolerance: float = 0.0,
+    ) -> Resident:
+        """The mesh that batches of one object space make together, welded with a tolerance in
+        object units, and parted at its creases where a criterion says what those are. Valid until
+        `release`."""
+        parts = tuple(batch.key for batch in batches)
+        still, key = None not in parts, (parts, criterion, tolerance)
         if still:
-            found = self._kept.get((keys, criterion))
+            found = self._kept.get(key)
             if found is not None:
                 return found
-        mesh = self._objects.mesh(batches)
+        mesh = self._objects.mesh(batches, tolerance)
         made = _resident(mesh) if criterion is None else _creased(
             mesh, self._objects.creases(mesh, criterion)
         )
         if still:
-            return self._kept.put((keys, criterion), made, made.nbytes)
+            return self._kept.put(key, made, made.nbytes)
         self._passing.append(made)
         return made
 

@@ -43,7 +43,7 @@ _ACTIONS = {"keep": 0x1E00, "replace": 0x1E01, "increase": 0x8507, "decrease": 0
 _BLEND, _CULL, _STENCIL, _DEPTH_TEST = 0x0BE2, 0x0B44, 0x0B90, 0x0B71
 _OFFSET, _OFFSET_LINE, _CLAMP, _PRIMITIVE_RESTART = 0x8037, 0x2A02, 0x864F, 0x8F9D
 _ARRAY_BUFFER, _UNSIGNED_INT = 0x8892, 0x1405
-_FEEDBACK_BUFFER, _DISCARD = 0x8C8E, 0x8C89
+_FEEDBACK_BUFFER, _DISCARD, _GENERATED = 0x8C8E, 0x8C89, 0x8C87
 _UNITS = UNITS | {
     "mesh_sieved": SIEVED_UNIT, "app_colour": COLOUR_UNIT, "gbuffer": GBUFFER_UNIT
 }  # fmt: skip
@@ -122,8 +122,8 @@ class Runner:
         self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
     ) -> list[dict[str, NDArray[np.float32]]]:
         """What the vertex shader of a pass makes of each body: (elements, vertices, size) by name,
-        for names and their sizes (floats). Transform feedback; what tests hold to the numpy
-        references."""
+        for names and their sizes (floats); with a geometry shader what that makes, (triangles, 3,
+        size). Transform feedback; what tests hold to the numpy references."""
         found = []
         for body in one.bodies:
             camera = body.camera.affine()
@@ -134,19 +134,23 @@ class Runner:
             ready = self._ready(one, replace(body, camera=camera), inputs, tuple(names))
             if ready is None:
                 raise RenderError("this pose is another mesh's")
-            count = ready.elements * ready.each
             width = sum(names.values())
-            target = self._context.buffer(reserve=max(count, 1) * width * 4)
             gl.glUseProgram(ready.program.name)
-            gl.glBindBufferBase(_FEEDBACK_BUFFER, 0, target.glo)
             gl.glEnable(_DISCARD)
-            gl.glBeginTransformFeedback(0)
-            gl.glDrawArrays(0, 0, count)
+            by_index = one.element in _BY_INDEX
+            shape, kind = (ready.elements, ready.each), 0x0004 if by_index else 0
+            if one.shader.geometry:
+                shape, kind = (_triangles_of(one, ready), 3), 0x0004
+            count = shape[0] * shape[1]
+            target = self._context.buffer(reserve=max(count, 1) * width * 4)
+            gl.glBindBufferBase(_FEEDBACK_BUFFER, 0, target.glo)
+            gl.glBeginTransformFeedback(kind)
+            _issue(one, ready, mode=0)
             gl.glEndTransformFeedback()
             gl.glDisable(_DISCARD)
             ready.release()
             rows = np.frombuffer(target.read(), np.float32)[: count * width]
-            rows = rows.reshape(ready.elements, ready.each, width)
+            rows = rows.reshape(*shape, width)
             target.release()
             ends = np.cumsum(list(names.values()))
             found.append(
@@ -168,12 +172,7 @@ class Runner:
         gl.glDepthRange(*camera.depth_range)
         scissor(camera, box)
         gl.glUseProgram(ready.program.name)
-        count = ready.elements * ready.each
-        if count and one.element in _BY_INDEX:
-            mode = _BY_INDEX[one.element][0]
-            gl.glDrawElementsInstanced(mode, count, _UNSIGNED_INT, None, one.copies)
-        elif count:
-            gl.glDrawArraysInstanced(_MODES[one.primitive], 0, count, one.copies)
+        _issue(one, ready)
         ready.release()
 
     def _ready(
@@ -184,7 +183,7 @@ class Runner:
         resident: Resident | None = None
         count, each = 1, 3
         if one.element != "screen":
-            resident = self.residents.find(body.batches, one.creases)
+            resident = self.residents.find(body.batches, one.creases, one.tolerance)
             count = resident.count(one.element)
             each = VERTICES[one.primitive] * one.primitives
             if one.element in _BY_INDEX:
@@ -238,6 +237,30 @@ class _Ready:
     def release(self) -> None:
         if self.posed is not None:
             self.posed.release()
+
+
+def _issue(one: Pass, ready: _Ready, mode: int | None = None) -> None:
+    """The draw itself; mode: of what is not drawn by index, else the pass's own."""
+    count = ready.elements * ready.each
+    if count and one.element in _BY_INDEX:
+        gl.glDrawElementsInstanced(
+            _BY_INDEX[one.element][0], count, _UNSIGNED_INT, None, one.copies
+        )
+    elif count:
+        own = _MODES[one.primitive] if mode is None else mode
+        gl.glDrawArraysInstanced(own, 0, count, one.copies)
+
+
+def _triangles_of(one: Pass, ready: _Ready) -> int:
+    """How many triangles a geometry shader makes."""
+    query, found = ctypes.c_uint(), ctypes.c_uint()
+    gl.glGenQueries(1, ctypes.addressof(query))
+    gl.glBeginQuery(_GENERATED, query.value)
+    _issue(one, ready)
+    gl.glEndQuery(_GENERATED)
+    gl.glGetQueryObjectuiv(query.value, 0x8866, ctypes.addressof(found))
+    gl.glDeleteQueries(1, ctypes.addressof(query))
+    return found.value
 
 
 def seen_from(camera: Camera, light: Sequence[float]) -> dict[str, Any]:

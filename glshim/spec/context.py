@@ -16,6 +16,7 @@ OLDEST: Version = (2, 1)
 """From here on the CPU does: fragments still need GLSL 1.20."""
 UNAVAILABLE = "intersections need OpenGL {}.{}".format(*MODERN)
 """What older contexts go without, in words."""
+NO_FIXED_FUNCTION = "a core profile has no fixed-function pipeline to follow"
 _FRAMEBUFFERS, _VERTEX_ARRAYS = "GL_ARB_framebuffer_object", "GL_ARB_vertex_array_object"
 _RESTARTS = ((0x8F9D, (3, 1)), (0x8D69, (4, 3)))
 _VERSION, _EXTENSIONS, _UNITS = 0x1F02, 0x1F03, 0x8B4D
@@ -50,6 +51,17 @@ def has_vertex_arrays() -> bool:
     return _has((3, 0), _VERTEX_ARRAYS)
 
 
+def has_framebuffers() -> bool:
+    """Whether there are framebuffer objects: since 3.0, and where older versions were extended."""
+    return _has((3, 0), _FRAMEBUFFERS)
+
+
+def has_fixed_function() -> bool:
+    """Whether a context of desktop OpenGL is current that has the fixed-function pipeline."""
+    number = version()
+    return number is not None and _has_fixed_function(number)
+
+
 def shortcoming() -> str:
     """Why no lines can be drawn in the current context, whoever expands them; empty if they can."""
     number = version()
@@ -57,10 +69,10 @@ def shortcoming() -> str:
         return f"version {version_text()!r} is not one of desktop OpenGL"
     if number < OLDEST:
         return "OpenGL {}.{} is older than {}.{}".format(*number, *OLDEST)
-    if not _has((3, 0), _FRAMEBUFFERS):
+    if not has_framebuffers():
         return "OpenGL {}.{} without {}".format(*number, _FRAMEBUFFERS)
     if not _has_fixed_function(number):
-        return "a core profile has no fixed-function pipeline to follow"
+        return NO_FIXED_FUNCTION
     units = _integer(_UNITS)
     if units < _UNITS_NEEDED:
         return f"{units} texture units are fewer than the {_UNITS_NEEDED} that lines need"

@@ -122,6 +122,8 @@ class Pass:
     creases: Criterion | None = None
     """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
     sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""
+    tolerance: float = 0.0
+    """Object units: corners no further apart are one vertex."""
     buffer: bool = False
     """Draws into the G-buffer: four floats a pixel, nothing to begin with, and a depth buffer of
     its own, at the far plane. Passes after it read it; another run of such passes begins anew."""

@@ -1,4 +1,4 @@
-"""What a styler is, what it gets (`Layer`) and what it gives (`Draw`).
+"""What a styler is, what it gets (`Layer`) and what it gives (`Draw`, `Pass`, `BackFaces`).
 
 A styler is a frozen dataclass whose fields are its options; it says what to draw and never
 calls GL::
@@ -34,13 +34,14 @@ from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
 from glshim.geometry.feature_lines import Features
 from glshim.geometry.lines import Choice
+from glshim.styling.fixed import BackFaces
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image, read_image
 from glshim.styling.values import Colour, Layer, Uniform
 
 __all__ = [
-    "Colour", "Draw", "Expand", "Expansion", "Layer", "Option", "Pass", "Shader", "Styler",
-    "Uniform", "format_colour", "option", "options_of", "parse_colour",
+    "BackFaces", "Colour", "Draw", "Expand", "Expansion", "Layer", "Option", "Pass", "Shader",
+    "Styler", "Uniform", "format_colour", "option", "options_of", "parse_colour",
 ]  # fmt: skip
 
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
@@ -285,11 +286,13 @@ class Styler:
 
     @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour."""
-        return "app"
+        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour.
+        It is the option ``fill`` of styles that have one."""
+        fill: str | Colour = getattr(self, "fill", "app")
+        return fill
 
     @abstractmethod
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass | BackFaces]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""
         raise NotImplementedError
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
 
-from glshim.errors import StyleError, UnknownNameError
+from glshim.errors import StyleError, UnknownNameError, nearest
 from glshim.styling.protocol import Styler
 
 GROUP = "glshim.stylers"
@@ -30,7 +29,7 @@ def load(name: str) -> type[Styler]:
     """
     point = _found().get(name)
     if point is None:
-        near = tuple(difflib.get_close_matches(name, names(), n=3, cutoff=0.5))
+        near = nearest(name, names())
         hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(names())}"
         raise UnknownNameError(f"no style is called {name!r}: {hint}", near)
     try:

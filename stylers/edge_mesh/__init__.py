@@ -17,10 +17,11 @@ from glshim.geometry.raskar import INWARD
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from stylers import options
 from stylers.edge_mesh.paper import PaperLook, paper_passes
 from stylers.edge_mesh.tones import TONES, tone_passes
 from stylers.raskar import SHADER
-from stylers.strokes import MADE, made
+from stylers.strokes import made
 
 _SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
 _DASH = 12.0
@@ -94,19 +95,8 @@ class EdgeMesh(Styler):
     hidden: str = option(
         "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
     )
-    texture: str = option(
-        "none",
-        help="what strokes are drawn with; dark is ink in a grey picture, others keep colours",
-        choices=("none", *MADE),
-        picture=True,
-    )
-    texture_length: float = option(
-        0.0,
-        help="length of a stroke after which the texture repeats; 0: what suits it",
-        low=0.0,
-        high=4096.0,
-        unit="px",
-    )
+    texture: str = options.texture("strokes")
+    texture_length: float = options.texture_length("a stroke")
     parameters: str = option(
         "screen",
         help="how a texture lies along strokes that are not chained: from each edge's own number, "
@@ -123,20 +113,12 @@ class EdgeMesh(Styler):
         "app", help="what is behind the surfaces: as the app drew it, or paper of a colour",
         choices=("app",), colour=True,
     )  # fmt: skip
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
+    fill: str | Colour = options.fill()  # noqa: RUF009
 
     @property
     def wants_colours(self) -> bool:
         """Marked edges part them."""
         return self.marked
-
-    @property
-    def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """Tones, and over them strokes of the chains of all batches, or passes over them. Batches

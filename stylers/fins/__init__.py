@@ -16,6 +16,7 @@ from typing import ClassVar
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from stylers.fins.lighting import Lighting, lit_passes
 
 _HERE = files(__package__)
 _STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
@@ -56,22 +57,41 @@ class Fins(Styler):
     spine: bool = option(
         True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
     )
+    tolerance: float = option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
+        "app",
+        help="the surfaces: as the app drew them, lit anew pixel by pixel, in flat bands of that "
+        "light, none, or flat in a colour",
+        choices=("app", "lit", "cel", "none"), colour=True,
     )  # fmt: skip
+    paint: str | Colour = option(  # noqa: RUF009
+        "app", help="what lit surfaces are painted with: the app's colours, or one",
+        choices=("app",), colour=True,
+    )  # fmt: skip
+    shine: float = option(0.4, help="brightness of highlights (lit, cel)", low=0.0, high=1.0)
+    bands: float = option(4.0, help="shades of light (cel)", low=2.0, high=16.0)
+
+    @property
+    def wants_normals(self) -> bool:
+        """Light falls by them."""
+        return self.fill in ("lit", "cel")
 
     @property
     def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
+        """The option `fill`: what is lit anew is painted over the app's own."""
+        return "app" if self.fill in ("lit", "cel") else self.fill
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Triangles with adjacency, of which the geometry shader makes fins."""
         found = bodies(layer)
         if not found:
             return
+        if self.fill in ("lit", "cel"):
+            bands = round(self.bands) if self.fill == "cel" else 0
+            yield from lit_passes(found, layer.light, Lighting(self.paint, self.shine, bands))
         uniforms: dict[str, Uniform] = {
             "half_width": self.half_width,
             "overhang": self.overhang if self.joints == "overhang" else 0.0,
@@ -82,4 +102,7 @@ class Fins(Styler):
             "hidden_share": 0.0,
         }
         state = State(depth="always", blend="greatest")
-        yield Pass(FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS)
+        yield Pass(
+            FINS, found, "adjacency", state=state, uniforms=uniforms, sieve=_CONTOURS,
+            tolerance=self.tolerance,
+        )  # fmt: skip

@@ -9,6 +9,7 @@ uniform int spine;      // 1: the depth of the middle decides for all of the wid
 uniform int joints;
 
 noperspective in vec3 reach;
+flat in float decided;  // 1: a short fin, of which the geometry shader knows that it is seen
 
 const int ROUND_JOINTS = 2;
 
@@ -16,10 +17,15 @@ void main() {
     take_stroke();
     float on = clamp(reach.x, 0.0, span);
     float d = joints == ROUND_JOINTS ? length(vec2(reach.x - on, reach.y)) : abs(reach.y);
-    float fade = tip * fwidth(d);
+    // Of the signed distance, which has no kink at the spine, and by its direction: fwidth adds up
+    // the changes along x and y.
+    float fade = tip * fwidth(reach.y) / (abs(along.x) + abs(along.y));
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
     if (alpha <= 0.0) discard;
-    if (spine == 1 ? !seen(on) : finished(gl_FragCoord.xy) < reach.z - hair) discard;
+    // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
+    if (spine == 0) {
+        if (finished(gl_FragCoord.xy) < reach.z - hair) discard;
+    } else if (decided == 0.0 && !seen(clamp(on, 2.0, span - 2.0))) discard;
     colour = vec4(alpha * ink, alpha);
 }

@@ -14,10 +14,13 @@ in int number[];
 uniform float half_width;  // pixels
 uniform float overhang;    // share of its length by which a fin goes on at both ends
 uniform int joints;        // ROUND or not
+uniform int spine;         // 1: the depth of the middle decides for all of the width
 
 noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
+flat out float decided;         // 1: it is seen all along
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
+const float SHORT = 4.0;         // pixels; the places that `seen` asks are not further apart
 const int ROUND_JOINTS = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
@@ -31,11 +34,16 @@ bool is_front(int a, int b, int c) {
     return (dot(area, towards(eye, place[a])) > 0.0) == even;
 }
 
-// How the two triangles meet, for the spine test.
+// How the two triangles meet, for the spine test; both say the same. Only what has an outside is
+// hollow anywhere: of a sheet the nearer triangle is seen, and that folds away.
 int kind_of(int a, int b, int c, int across) {
     vec3 own = cross(place[b] - place[a], place[c] - place[a]);
     vec3 other = cross(place[across] - place[a], place[b] - place[a]);
-    if (facing * dot(place[across] - place[a], own) > 0.0) return HOLLOW;
+    if ((triangle_at(element()).w & 1) == 1) {
+        vec3 out_of = normal(number[a]) + normal(number[b]) + normal(number[c]);
+        float rise = dot(place[across] - place[a], own);
+        if (dot(out_of, own) < 0.0 ? rise < 0.0 : rise > 0.0) return HOLLOW;
+    }
     float lengths = length(own) * length(other);
     return dot(own, other) < -SHARP * lengths ? RING : CONTOUR;
 }
@@ -57,8 +65,15 @@ void emit(int a, int b, int c, int shape) {
     vec2 v = (to.xy - from.xy) / size, n = vec2(v.y, -v.x);
     float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
     float slack = slack_of(shape, deep, abs(to.z - from.z) / size);
-    // A pixel more than half the width leaves room for its smooth rim.
-    float side = half_width + 1.0, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
+    line_a = from;
+    line_b = to;
+    extent = vec3(-half_width, half_width, float(shape));
+    grain = vec2(deep, slack + hair + blur * deep);
+    slopes = vec4(0.0);
+    take_stroke();
+    bool short_one = spine == 1 && size <= SHORT;
+    if (short_one && !seen(0.5 * size)) return;
+    float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
         line_a = from;
         line_b = to;
@@ -69,6 +84,7 @@ void emit(int a, int b, int c, int shape) {
         float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
         float z = mix(from.z, to.z, clamp(t / size, 0.0, 1.0));
         reach = vec3(t, s, z);
+        decided = float(short_one);
         gl_Position = on_screen(from.xy + t * v + s * n);
         gl_Position.z = 2.0 * (z - range.x) / (range.y - range.x) - 1.0;
         EmitVertex();
@@ -76,12 +92,14 @@ void emit(int a, int b, int c, int shape) {
     EndPrimitive();
 }
 
+// In the article the front triangle draws the edge; here the one whose corner off it has the lesser
+// number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
 void main() {
     bool front = is_front(0, 2, 4);
     for (int k = 0; k < 6; k += 2) {
         int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
-        bool alone = number[across] == number[a];
-        if (alone || (front && !is_front(a, across, b)))
-            emit(a, b, c, alone ? FIN : kind_of(a, b, c, across));
+        if (number[across] == number[a]) emit(a, b, c, RING);
+        else if (number[c] <= number[across] && front != is_front(a, across, b))
+            emit(a, b, c, kind_of(a, b, c, across));
     }
 }

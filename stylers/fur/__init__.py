@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import MeshShader, Pass, State, bodies
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from stylers import options
 from stylers.fur.scale import scale_of
 
 _HERE = files(__package__)
@@ -57,15 +58,7 @@ class Fur(Styler):
         "app", help="the hairs: as the app drew the skin, or a colour",
         choices=("app",), colour=True,
     )  # fmt: skip
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
-
-    @property
-    def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
+    fill: str | Colour = options.fill()  # noqa: RUF009
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """The fins of each body, and over them its shells from the skin outwards."""

@@ -17,7 +17,7 @@ from glshim.geometry.lines import GROUPS, Choice
 from glshim.geometry.raskar import INWARD
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
-from stylers import strokes
+from stylers import options, strokes
 from stylers.raskar.expansion import expand
 
 _HERE = files(__package__)
@@ -68,32 +68,13 @@ class Raskar(Styler):
     connectivity: bool = option(
         True, help="off: no polygon knows its neighbours, depth alone decides, as in the paper"
     )
-    texture: str = option(
-        "none",
-        help="what silhouettes are drawn with; dark is ink in a grey picture, others keep colours",
-        choices=("none", *strokes.MADE),
-        picture=True,
-    )
-    texture_length: float = option(
-        0.0,
-        help="length of a silhouette after which the texture repeats; 0: what suits it",
-        low=0.0,
-        high=4096.0,
-        unit="px",
-    )
+    texture: str = options.texture("silhouettes")
+    texture_length: float = options.texture_length("a silhouette")
     texture_on: str = option(
         "silhouettes", help="the lines that have the texture", choices=("silhouettes", "all")
     )
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
-
-    @property
-    def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
+    fill: str | Colour = options.fill()  # noqa: RUF009
 
     def draws(self, layer: Layer) -> Iterable[Draw]:
         """One draw a batch: rings around back-facing polygons, strokes on front-facing ones."""

@@ -16,6 +16,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import Actions, Body, MeshShader, Pass, State, Stencil, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from stylers import options
 
 Light = tuple[float, float, float, float]
 _HERE = files(__package__)
@@ -76,15 +77,7 @@ class Shadow(Styler):
         "them, which hides the steps of coarse meshes, or in shadow",
         choices=("app", "shadow"),
     )
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
-
-    @property
-    def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
+    fill: str | Colour = options.fill()  # noqa: RUF009
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Volumes into the stencil, then the shade; where bodies do not shadow themselves, for

@@ -197,6 +197,38 @@ def call_lists(count: int) -> Draw:
     return lambda _frame: glCallLists(names)
 
 
+def turning(count: int, triangles: int) -> Draw:
+    """Objects of so many triangles, a list each, side by side and each turning about itself."""
+    quads = sphere(triangles // 2, 0.1)
+    mesh = quads[:, (0, 1, 2, 0, 2, 3)].reshape(-1, 6)
+    normals, points = (np.ascontiguousarray(mesh[:, k : k + 3]) for k in (0, 3))
+    base = int(glGenLists(count))
+    glEnableClientState(GL_VERTEX_ARRAY)
+    glEnableClientState(GL_NORMAL_ARRAY)
+    glNormalPointer(GL_FLOAT, 0, normals)
+    glVertexPointer(3, GL_FLOAT, 0, points)
+    for name in range(base, base + count):
+        glNewList(name, GL_COMPILE)
+        glDrawArrays(GL_TRIANGLES, 0, len(mesh))
+        glEndList()
+    glDisableClientState(GL_NORMAL_ARRAY)
+    glDisableClientState(GL_VERTEX_ARRAY)
+    columns = int(np.ceil(count**0.5))
+    size = 2.0 / columns
+
+    def draw(frame: int) -> None:
+        for i in range(count):
+            glPushMatrix()
+            glTranslatef(size * (i % columns - (columns - 1) / 2),
+                         size * (i // columns - (columns - 1) / 2), 0.0)
+            glScalef(*[0.45 * size] * 3)
+            glRotatef(2.0 * frame + 31.0 * i, 0.3, 1.0, 0.1)
+            glCallList(base + i)
+            glPopMatrix()
+
+    return draw
+
+
 def fresh_lists(frame: int) -> None:
     """A list made, called and deleted, another shape in each frame."""
     name = glGenLists(1)
@@ -242,6 +274,9 @@ SCENES: dict[str, Callable[[], Draw]] = {
     "buffer object, 100k polygons": lambda: buffer(100_000),
     "2,000 matrix calls, 500 glCallList": lambda: matrices(2_000),
     "glCallLists of 500 lists": lambda: call_lists(500),
+    "1 object, 112,000 triangles": lambda: turning(1, 112_000),
+    "10 objects, 112,000 triangles": lambda: turning(10, 11_200),
+    "100 objects, 112,000 triangles": lambda: turning(100, 1_120),
     "fresh lists": lambda: fresh_lists,
     "fresh buffers": lambda: fresh_buffers,
     "fresh shapes in C": lambda: fresh_shapes,

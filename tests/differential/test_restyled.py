@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
 import pygame
 import pytest
 from OpenGL import GL
@@ -95,3 +96,24 @@ def test_colours_change_no_lines_unless_edges_are_marked(window: None) -> None:
     marks = "edge_mesh:marked=on,ridges=off,valleys=off,contours=off,boundary=off"
     assert not any(inked(marks, alike))
     assert sum(inked(marks, unlike)) > 30
+
+
+def test_a_buffer_written_while_no_style_was_on_is_read_again(window: None) -> None:
+    """What the backend keeps of buffers outlives a style, which alone saw them written."""
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+
+    def picture(buffer: int, size: float) -> bytes:
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
+        GL.glVertexPointer(2, GL.GL_FLOAT, 0, None)
+        corners = np.array([(-size, -size), (size, -size), (size, size), (-size, size)], "f4")
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, corners.nbytes, corners, GL.GL_STATIC_DRAW)
+        glshim.install("raskar:ink=#ff0000")
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glDrawArrays(GL.GL_QUADS, 0, 4)
+        found = bytes(GL.glReadPixels(0, 0, 64, 64, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+        glshim.uninstall()
+        return found
+
+    one, other = (int(name) for name in GL.glGenBuffers(2))
+    picture(one, 0.7)
+    assert picture(one, 0.4) == picture(other, 0.4)

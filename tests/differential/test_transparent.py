@@ -27,6 +27,7 @@ def test_none_is_plain_to_the_byte(name: str) -> None:
 STYLES = (
     "raskar", "edge_mesh:marked=on,smooth=on,suggestive=on,texture=pen,hidden=dashed",
     "edge_mesh:strokes=half,outer=on,hidden=dimmed", "shadow:light=fixed", "fur:layers=2",
+    "fins", "fins:fill=cel,joints=overhang",
 )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ FOLDER = Path(__file__).with_name("stored")
 RECORD = FOLDER / "renderer.json"
 SIZE = (320, 240)
 STYLE = "raskar:ink=#e8641b,silhouette_width=3,ridge_width=2,ridge_angle=120,intersections=on"
-UNPAINTED = ("viewer", "figure", "bending_arm")  # the last two: see test_animated_meshes
+UNPAINTED = ("viewer", "figure", "bending_arm", "chess")  # see test_animated_meshes, test_chess
 VIEWER_SHAPES = ("torus", "cube", "knot", "bowl")
 
 _ASK = """

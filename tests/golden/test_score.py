@@ -6,7 +6,7 @@ import pytest
 
 from glshim.render.backend import Backend
 from tests import look
-from tests.score import meshes, views
+from tests.score import meshes, subjects, views
 from tests.score.__main__ import LIMIT
 
 VIEWS = {"scan": (4, 9, 16)}
@@ -28,7 +28,7 @@ def scored():
     return tallies
 
 
-@pytest.mark.parametrize("kind", [*views.KINDS, "all"])
+@pytest.mark.parametrize("kind", [*subjects.KINDS, "all"])
 @pytest.mark.parametrize("name", list(meshes.MESHES))
 def test_ink_lies_where_lines_are_and_nowhere_else(scored, name, kind):
     """The target for the whole picture. Of one kind of line alone there may be too little for a

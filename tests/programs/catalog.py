@@ -77,7 +77,7 @@ TOOLKITS = tuple(
 OURS = tuple(
     Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
     for name in ("cad_part", "robot_arm", "island", "cloth", "flag", "blob", "figure",
-                 "bending_arm", "viewer")
+                 "bending_arm", "chess", "viewer")
 )
 
 PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + TOOLKITS + OURS

@@ -17,7 +17,7 @@ from PIL import Image
 from glshim.assembly.batch import PolygonBatch
 from glshim.render.backend import Backend
 from tests import look
-from tests.score import meshes, report, views
+from tests.score import meshes, report, subjects, views
 
 LIMIT = 0.998
 
@@ -30,7 +30,7 @@ def _arguments(given: list[str]) -> argparse.Namespace:
     parser.add_argument("--only", action="append", choices=sorted(meshes.MESHES), metavar="MESH",
                         help=f"one of {', '.join(meshes.MESHES)}")  # fmt: skip
     parser.add_argument("--width", type=float, help="of every line in pixels; else the defaults")
-    parser.add_argument("--style", choices=views.STYLES, default="raskar", help="what draws")
+    parser.add_argument("--style", choices=subjects.SUBJECTS, default="raskar", help="what draws")
     parser.add_argument("--out", type=Path, metavar="DIR", help="pictures of truth and errors")
     parser.add_argument("--write", type=Path, metavar="FILE", help="the table as Markdown")
     parser.add_argument("--check", action="store_true", help=f"fail below {LIMIT} or on a dot")
@@ -77,7 +77,7 @@ def _save(out: Path, name: str, view: views.View) -> None:
     out.mkdir(parents=True, exist_ok=True)
     tiles = [views.truth_picture(view), *(views.error_picture(view, k) for k in view.verdicts)]
     if len(tiles) % 2:
-        tiles.append(view.after["all"][::-1])
+        tiles.append(view.after[list(view.after)[-1]][::-1])
     rows = [np.concatenate(tiles[k : k + 2], axis=1) for k in range(0, len(tiles), 2)]
     Image.fromarray(np.concatenate(rows)).save(out / f"{name}_{view.number:02d}.png")
 

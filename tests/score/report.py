@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tests.score.views import KINDS, SIZE, Tally
+from tests.score.subjects import KINDS
+from tests.score.views import SIZE, Tally
 
 _COLUMNS = (
     "mesh", "polygons", "lines", "precision", "recall", "within 1.5 px", "dots", "worst view",

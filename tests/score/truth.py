@@ -27,6 +27,7 @@ from glshim.geometry.camera import Camera
 from tests.score.crossings import crossings
 
 KINDS = ("silhouettes", "ridges", "valleys", "intersections")
+RIDGE_ANGLE, VALLEY_ANGLE = 120.0, 240.0
 _TIE = 0.1
 """Degrees about a threshold within which rounding decides."""
 
@@ -138,7 +139,12 @@ def window_space(eye, camera: Camera) -> np.ndarray:
     return low + (ndc + 1) / 2 * (width, height, far - near)
 
 
-def lines(mesh: Body, camera: Camera, ridge_angle: float, valley_angle: float) -> dict[str, Lines]:
+def lines(
+    mesh: Body,
+    camera: Camera,
+    ridge_angle: float = RIDGE_ANGLE,
+    valley_angle: float = VALLEY_ANGLE,
+) -> dict[str, Lines]:
     """The lines of each of `KINDS`, seen or hidden."""
     eye = eye_space(mesh.points, camera)
     window = window_space(eye, camera)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 from OpenGL import GL
@@ -12,25 +12,13 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.edge_mesh import EdgeMesh
-from stylers.raskar import Raskar
 from tests import look
 from tests.score import truth
 from tests.score.ink import Verdict, inked, judge
 from tests.score.sight import BESIDE, SURE, UNSURE, Places, Scene, places
+from tests.score.subjects import SUBJECTS
 
 SIZE = 480
-_OPTIONS = frozenset(f.name for f in fields(Raskar))
-KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
-"""The kinds of line that the style can draw."""
-_OF_EDGE_MESH = {
-    "silhouettes": ("contours", "boundary"), "ridges": ("ridges",), "valleys": ("valleys",)
-}  # fmt: skip
-"""Options of style edge_mesh by the kinds of line of raskar."""
-KINDS_OF_EDGE_MESH = ("contours", "boundary", "ridges", "valleys")
-STYLES = ("raskar", "edge_mesh")
-_ANGLES = {"ridge_angle": 120.0, "valley_angle": 240.0}
-
 
 @dataclass(frozen=True)
 class View:
@@ -107,35 +95,10 @@ def camera_path(count=24) -> list[Camera]:
     ]
 
 
-def kinds_of(name: str) -> tuple[str, ...]:
-    """The kinds of line that a style draws."""
-    return KINDS if name == "raskar" else tuple(k for k in KINDS if k in _OF_EDGE_MESH)
-
-
-def style(kinds, width: float | None = None, name="raskar") -> Raskar | EdgeMesh:
-    """A style with lines of these kinds only; width in pixels for all of them."""
-    if name == "edge_mesh":
-        found = EdgeMesh(**{kind: False for kind in KINDS_OF_EDGE_MESH}, **_ANGLES)
-        own = [option for kind in kinds for option in _OF_EDGE_MESH[kind]]
-        widths = {f"{kind.removesuffix('s')}_width": width for kind in KINDS_OF_EDGE_MESH if width}
-        return replace(found, **dict.fromkeys(own, True), **widths)
-    options: dict = {kind: kind in kinds for kind in KINDS}
-    options |= {name: value for name, value in _ANGLES.items() if name in _OPTIONS}
-    if width is not None:
-        options |= {width_option(kind): width for kind in KINDS}
-    return Raskar(**options)
-
-
-def width_option(kind: str, name="raskar") -> str:
-    if name == "edge_mesh":
-        kind = _OF_EDGE_MESH[kind][0]
-    return kind.removesuffix("s") + "_width"
-
-
 def visible(mesh: truth.Body, camera: Camera) -> dict[str, Places]:
     """The places along the lines of each kind."""
     scene = Scene(mesh, camera)
-    found = truth.lines(mesh, camera, **_ANGLES)
+    found = truth.lines(mesh, camera)
     return {kind: places(scene, lines) for kind, lines in found.items()}
 
 
@@ -144,7 +107,8 @@ def look_at_views(
 ) -> Iterator[View]:
     """Views of a mesh, drawn and judged; a window of SIZE is current. only: view numbers.
     name: of the style."""
-    kinds_drawn = kinds_of(name)
+    subject = SUBJECTS[name]
+    kinds_drawn = tuple(subject.switches)
     mesh = truth.body(batch)
     for number, camera in enumerate(camera_path(count)):
         if only is not None and number not in only:
@@ -155,14 +119,15 @@ def look_at_views(
         before = look.pixels(SIZE, SIZE)
         after, verdicts = {}, {}
         alone = [(kind, (kind,)) for kind in kinds_drawn]
-        for what, kinds in [*alone, ("all", kinds_drawn)]:
-            chosen = style(kinds, width, name)
+        together = [("all", kinds_drawn)] if len(alone) > 1 else []
+        for what, kinds in alone + together:
+            chosen = subject.style(kinds, width)
             look.clear()
             look.draw_base(batch, camera)
             backend.render(chosen.draws(Layer(((batch, camera),))))
             GL.glFinish()
             after[what] = look.pixels(SIZE, SIZE)
-            widths = [(true[kind], getattr(chosen, width_option(kind, name))) for kind in kinds]
+            widths = [(true[kind], subject.reaches(chosen, kind)) for kind in kinds]
             verdicts[what] = judge(inked(before, after[what]), widths)
         yield View(number, camera, before, after, true, verdicts)
 

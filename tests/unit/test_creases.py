@@ -419,3 +419,14 @@ def test_one_element_of_the_cross_product_is_too_little() -> None:
         delta = found.differences[a, :3].astype(float)
         assert np.linalg.norm(delta) > 0.1
         assert np.linalg.norm(np.cross(e, delta) - np.cross(true, delta)) > 0.1
+
+
+def test_one_normal_for_a_whole_surface_that_turns_was_never_sent():
+    """What OpenGL has where a program says nothing, (0, 0, 1), says nothing."""
+    found = mesh(look.sphere(12, 8))
+    default = np.broadcast_to(np.float32((0, 0, 1)), (len(found.triangles), 3, 3))
+    unsaid, none = (creases(found, sent) for sent in (default, None))
+    assert np.array_equal(unsaid.normals, none.normals)
+    flat = mesh(look.batch([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [[0, 1, 2, 3]]))
+    sent = np.broadcast_to(np.float32((0.6, 0, 0.8)), (2, 3, 3))
+    assert creases(flat, sent).normals == pytest.approx(np.tile((0.6, 0, 0.8), (4, 1)))

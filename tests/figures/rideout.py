@@ -1,0 +1,26 @@
+"""Pictures of P. Rideout, "Silhouette Extraction" (2010), made again: the steps and the dragon."""
+
+from __future__ import annotations
+
+from tests.figures.table import Figure
+
+TORUS = ("-m", "tests.figures.programs.torus")
+DRAGON = ("-m", "demo_apps.figure")
+_BARE = "fins:half_width=7,overhang=0,antialias=off,spine=off"
+
+FIGURES = (
+    Figure("rideout_old_school", TORUS, ("two_pass:width=7,smooth=off", "two_pass:width=7"), 2),
+    Figure(
+        "rideout_steps",  # no anti-aliasing, anti-aliasing, spine test, gaps filled
+        TORUS,
+        (
+            _BARE,
+            "fins:half_width=7,overhang=0,antialias=on,spine=off",
+            "fins:half_width=7,overhang=0,antialias=on,spine=on",
+            "fins:half_width=7,antialias=on,spine=on",
+        ),
+        2,
+    ),
+    Figure("rideout_surfaces", TORUS, ("fins:fill=lit", "fins:fill=cel"), 2),
+    Figure("rideout_dragon", DRAGON, ("fins:half_width=3,fill=cel",), frames=14),
+)

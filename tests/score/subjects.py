@@ -1,0 +1,75 @@
+"""The styles that are scored, a row each: which kinds of line they draw and how far from the true
+line their ink may lie."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from itertools import chain
+from typing import Any
+
+from glshim.styling.protocol import Styler
+from stylers.edge_mesh import EdgeMesh
+from stylers.fins import Fins
+from stylers.raskar import Raskar
+from tests.score import truth
+
+_OPTIONS = frozenset(f.name for f in fields(Raskar))
+KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
+"""The kinds of line that raskar draws."""
+_ANGLES = {"ridge_angle": truth.RIDGE_ANGLE, "valley_angle": truth.VALLEY_ANGLE}
+_WELDED = {"tolerance": 1e-5}
+"""The teapot's corners come from GLUT in single precision, patch by patch."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A style that is scored."""
+
+    styler: Callable[..., Styler]
+    switches: Mapping[str, tuple[str, ...]]
+    """Kinds of line (`truth.lines`), and the options that switch each on."""
+    widths: Mapping[str, tuple[str, ...]]
+    """The options of each kind's width in pixels; the first one counts."""
+    reach: float = 1.0
+    """Of that width, from the true line on: 1 where the option is half a line's width, or where
+    lines lie outside the object; 0.5 where it is all of the width, on both sides."""
+    fixed: Mapping[str, Any] = field(default_factory=dict)
+    """Options that are not the defaults."""
+
+    def style(self, kinds: Iterable[str], width: float | None = None) -> Styler:
+        """It with lines of these kinds only; width: its option in pixels, of all of them."""
+        wanted = frozenset(kinds)
+        options: dict[str, Any] = dict(self.fixed)
+        for kind, names in self.switches.items():
+            options |= dict.fromkeys(names, kind in wanted)
+        if width is not None:
+            options |= dict.fromkeys(chain(*self.widths.values()), width)
+        return self.styler(**options)
+
+    def reaches(self, style: Styler, kind: str) -> float:
+        """Pixels from a true line of a kind to where its ink ends."""
+        return self.reach * float(getattr(style, self.widths[kind][0]))
+
+
+SUBJECTS: dict[str, Subject] = {
+    "raskar": Subject(
+        Raskar,
+        {kind: (kind,) for kind in KINDS},
+        {kind: (f"{kind.removesuffix('s')}_width",) for kind in KINDS},
+        fixed={name: value for name, value in _ANGLES.items() if name in _OPTIONS},
+    ),
+    "edge_mesh": Subject(
+        EdgeMesh,
+        {"silhouettes": ("contours", "boundary"), "ridges": ("ridges",), "valleys": ("valleys",)},
+        {
+            "silhouettes": ("contour_width", "boundary_width"),
+            "ridges": ("ridge_width",),
+            "valleys": ("valley_width",),
+        },
+        fixed=_ANGLES | _WELDED,
+    ),
+    "fins": Subject(
+        Fins, {"silhouettes": ()}, {"silhouettes": ("half_width",)}, fixed=_WELDED
+    ),
+}
