@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from glshim.geometry.crease_quads import silhouettes
 from glshim.geometry.creases import INVALID, Creases, creases, decoded
 from glshim.geometry.recovery.mesh import Mesh, mesh
 from glshim.geometry.smoothing_groups import by_traversal, within_adjacency
@@ -205,8 +206,41 @@ def test_closed_fans_that_share_a_vertex_are_two_vertices() -> None:
     assert not found.sides.any()
     assert len(found.vertices) == len(m.positions) + 1
     tips = np.flatnonzero(found.vertices == 0)
-    assert np.allclose(np.abs(found.normals[tips, 2]), 1.0, atol=1e-6)
-    assert found.normals[tips, 2].sum() == pytest.approx(0.0, abs=1e-6)
+    assert len(tips) == 2
+    assert not found.normals[tips].any()  # sharp ones, as that of a cone
+
+
+def cone(n: int, half_angle: float) -> Mesh:
+    """With its tip at vertex n."""
+    ring = [(np.cos(a), np.sin(a), 0.0) for a in np.arange(n) * 2 * np.pi / n]
+    tip = (0.0, 0.0, 1.0 / np.tan(half_angle))
+    sides = [[k, (k + 1) % n, n] for k in range(n)]
+    return mesh(look.batch([*ring, tip], [*sides, list(range(n))[::-1]]))
+
+
+def test_the_tip_of_a_cone_has_no_normal_unless_it_is_blunt_or_the_app_says_so() -> None:
+    sharp, blunt = cone(24, np.radians(40.0)), cone(24, np.radians(70.0))
+    tip = 24
+    assert not creases(sharp, rule="angle", angle=1.0).normals[tip].any()
+    assert np.allclose(creases(blunt, rule="angle", angle=1.0).normals[tip], (0, 0, 1), atol=1e-6)
+    at_tip = sharp.triangles == tip
+    sent = np.repeat(sharp.normals[:, None], 3, axis=1).astype(np.float32)
+    assert not creases(sharp, sent, rule="angle", angle=1.0).normals[tip].any()
+    sent[at_tip] = (0.0, 0.0, 1.0)
+    rounded = creases(sharp, sent, rule="angle", angle=1.0)
+    assert np.allclose(rounded.normals[tip], (0, 0, 1), atol=1e-6)
+
+
+def test_silhouettes_of_a_cone_run_from_its_rim_to_its_tip() -> None:
+    m = cone(24, np.radians(30.0))
+    found = creases(m, rule="angle", angle=1.0)
+    lines = silhouettes(found, np.array((1.0, 0.3, 0.2, 0.0)))
+    size = np.linalg.norm(lines.ends[:, 1] - lines.ends[:, 0], axis=1)
+    ends = lines.ends[size > 1e-9]
+    assert len(ends) == 2
+    tip = m.positions[24]
+    assert np.allclose(np.sort(np.linalg.norm(ends - tip, axis=2), axis=1)[:, 0], 0.0, atol=1e-9)
+    assert np.allclose(np.sort(ends[:, :, 2], axis=1)[:, 0], 0.0, atol=1e-9)
 
 
 def test_a_vertex_of_a_thousand_triangles() -> None:
