@@ -2,7 +2,8 @@
 
 Creases and their visibility are those of `tests.score`, from exact ray tests. Smooth silhouettes
 are zeros of n.c (`glshim.geometry.crease_quads.silhouettes`, which has tests of its own); they are
-surely seen where something farther is drawn beyond them.
+surely seen where something farther is drawn beyond them, unless they end in a cusp nearby
+(D. DeCarlo et al., "Suggestive Contours for Conveying Shape", 2003: the radial curvature).
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
-from glshim.geometry.crease_quads import silhouettes
-from glshim.geometry.creases import creases
+from glshim.geometry.crease_quads import Silhouettes, silhouettes
+from glshim.geometry.creases import Creases, creases
 from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.render.passes import seen_from
 from tests import look
@@ -24,6 +25,8 @@ ANGLE = 40.0
 """Degrees of a crease, the style's default."""
 FLAP = 0.15
 """Object units by which polygons may lie before the smooth surface that is meant."""
+CUSP = 0.15
+"""Cosine between the line of sight and the gradient of n.c below which a cusp is near."""
 STEP = 0.5
 
 
@@ -102,22 +105,41 @@ def crease_lines(batch: PolygonBatch, camera: Camera) -> Segments:
 def smooth_lines(batch: PolygonBatch, camera: Camera, depth: np.ndarray) -> Segments:
     """Zeros of n.c between creases; depth (H, W) in the window, as the app drew it."""
     eye = np.array(seen_from(camera, (0.0, 0.0, 1.0, 0.0))["eye"])
-    lines = silhouettes(creases(recovered(batch), angle=np.radians(ANGLE)), eye)
+    found = creases(recovered(batch), angle=np.radians(ANGLE))
+    lines = silhouettes(found, eye)
+    bulging = _bulging(found, lines, eye)
     ends = truth.window_space(truth.eye_space(lines.ends, camera), camera)
     out = (truth.window_space(truth.eye_space(lines.ends + 1e-4 * lines.normals, camera), camera)
            - ends)[..., :2].mean(axis=1)  # fmt: skip
     out /= np.maximum(np.linalg.norm(out, axis=1), 1e-300)[:, None]
     seen = []
-    for pair, aside in zip(ends, out, strict=True):
+    for pair, aside, bulge in zip(ends, out, bulging, strict=True):
         points = _places(pair)
         flap = FLAP * _depth_of_a_unit(points, camera)
         nearest, beyond = (_at(depth, points[:, :2] + k * aside) for k in (-2.0, 2.0))
         state = np.full(len(points), sight.UNSURE)
-        state[beyond > points[:, 2] + flap] = sight.SURE
+        if bulge > CUSP:
+            state[beyond > points[:, 2] + flap] = sight.SURE
         front = np.maximum(nearest, np.maximum(_at(depth, points[:, :2]), beyond))
         state[front < points[:, 2] - flap] = sight.HIDDEN
         seen.append(state)
     return Segments(ends, np.full((len(ends), 2), -1), seen, np.zeros((0, 2)))
+
+
+def _bulging(found: Creases, lines: Silhouettes, eye: np.ndarray) -> np.ndarray:
+    """(S,) cosines between the gradient of n.c on each triangle and the way to the viewer."""
+    corners = found.triangles[lines.triangles]
+    points = found.mesh.positions[found.vertices][corners].astype(float)
+    toward = eye[:3] - eye[3] * points
+    facing = (found.normals[corners] * toward).sum(axis=2)
+    u, v = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
+    area = np.cross(u, v)
+    beside = np.cross(v, area), np.cross(area, u)
+    gradient = sum(b * (facing[:, k + 1] - facing[:, 0])[:, None] for k, b in enumerate(beside))
+    way = toward.mean(axis=1)
+    way -= area * ((way * area).sum(axis=1) / (area**2).sum(axis=1))[:, None]
+    sizes = np.linalg.norm(gradient, axis=1) * np.linalg.norm(way, axis=1)
+    return (gradient * way).sum(axis=1) / np.maximum(sizes, 1e-300)
 
 
 def _places(ends: np.ndarray) -> np.ndarray:

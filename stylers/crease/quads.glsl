@@ -17,6 +17,7 @@ uniform int cuts;              // 1: ends are cut along bisectors, for textures;
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
 flat out int on_surface;       // whether the quad lies on its triangle
 
+const float STEEP = 8.0;       // pixels' worth of depth a pixel by which a quad recedes at most
 const float JOINT = 0.05;      // pixels by which quads overlap against rounding
 const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
 const float SHARPEST = 0.5;    // the same on the outer side: bisectors up to two widths long
@@ -66,6 +67,8 @@ vec2 mitre(Line l, vec2 neighbour, bool left_side_only, out bool joined) {
 // that of the screen. planes: depths a pixel on the triangles on the left and on the right.
 void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, float deep) {
     float slack = slack_of(kind, deep, abs(l.to.z - l.from.z) / l.size);
+    // Of a triangle seen edge-on the quad would reach far behind whatever is drawn beyond it.
+    vec2 own = planes.xy + l.n * max(0.0, -STEEP * deep - dot(planes.xy, l.n));
     vec2 lean = vec2(dot(l.mitre_a, l.v), dot(l.mitre_b, l.v));
     float cap = max(-low, high);
     float past_a = l.joined_a ? JOINT : cap, past_b = l.joined_b ? JOINT : cap;
@@ -82,7 +85,7 @@ void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, flo
         slopes = planes;
         extent = vec3(low, high, float(kind));
         grain = vec2(deep, slack + hair + blur * deep);
-        spot = vec3(t, s, l.from.z + dot(planes.xy, aside));
+        spot = vec3(t, s, l.from.z + dot(own, aside));
         on_surface = int(flat_on);
         gl_Position = on_screen(l.from.xy + aside);
         EmitVertex();

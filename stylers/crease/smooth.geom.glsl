@@ -2,7 +2,7 @@
 // Inputs: quads.glsl; which sides are creases (mesh.glsl), over which normals jump.
 // Source: Hajagos et al. 2012, section 4.3 (A. Hertzmann 1999). Ends fit the contours next to it.
 
-layout(triangle_strip, max_vertices = 4) out;
+layout(triangle_strip, max_vertices = 12) out;
 
 // As glshim/geometry/smooth_lines.py has them.
 const float BENT = 0.02;    // a vertex normal so far from the triangle's bends it wholly
@@ -37,10 +37,11 @@ vec3 lifted(vec3 point, float by) {
     return at + sight / distance * (viewpoint.w == 0.0 ? by : min(by, NEAREST * distance));
 }
 
+bool crease_between(int flags, int a) { return (flags >> (a / 2 + 1) & 1) == 1; }
+
 // The other end of the contour that runs on over the side between corners a and b; none: false.
 bool goes_on(int flags, int a, int across, int b, out vec3 other) {
-    bool crease = (flags >> (a / 2 + 1) & 1) == 1;
-    if (crease || place[across] == place[a]) return false;
+    if (crease_between(flags, a) || place[across] == place[a]) return false;
     int end = (toward[across] > 0.0) != (toward[a] > 0.0) ? a : b;
     other = crossing(across, end);
     return true;
@@ -54,30 +55,12 @@ vec2 way(vec3 from, vec3 to) {
     return length(found) < 1e-3 ? vec2(0.0) : normalize(found);
 }
 
-void main() {
-    for (int i = 0; i < 6; ++i) toward[i] = dot(turn[i], towards(eye, place[i]));
-    bvec3 facing_us = bvec3(toward[0] > 0.0, toward[2] > 0.0, toward[4] > 0.0);
-    if (all(facing_us) || !any(facing_us)) return;
-    // The corner o whose sign is its own; the contour runs from side o, p to side q, o.
-    int o = facing_us.y == facing_us.z ? 0 : facing_us.x == facing_us.z ? 2 : 4;
-    int p = (o + 2) % 6, q = (o + 4) % 6;
-    int flags = triangle_at(element()).w;
-    vec3 y0 = crossing(o, p), y1 = crossing(q, o), other;
-    vec2 v_before = goes_on(flags, o, o + 1, p, other) ? way(other, y0) : vec2(0.0);
-    vec2 v_after = goes_on(flags, q, q + 1, o, other) ? way(y1, other) : vec2(0.0);
-
-    // The polygons lie about the surface that is meant, before it and behind.
-    float by = lift(0, 2, 4);
-    for (int k = 0; k < 6; k += 2) by = max(by, lift(k, k + 1, (k + 2) % 6));
-    by *= pow(abs(determinant(mat3(modelview))), 1.0 / 3.0);
-    vec3 eye_a = lifted(y0, by), eye_b = lifted(y1, by), whole_a = eye_a, whole_b = eye_b;
+// The quad from one point to another; o: a corner beside it, on the side of the surface or not.
+void emit(vec3 from, vec3 to, vec2 v_before, vec2 v_after, float by, int o, bool o_is_inside) {
+    vec3 eye_a = lifted(from, by), eye_b = lifted(to, by), whole_a = eye_a, whole_b = eye_b;
     if (!cut(eye_a, eye_b)) return;
     if (eye_a != whole_a) v_before = vec2(0.0);
     if (eye_b != whole_b) v_after = vec2(0.0);
-    // The surface lies on the left of the line: the corners that face us, if the triangle does.
-    vec3 area = cross(place[2] - place[0], place[4] - place[0]);
-    float seen_from_front = dot(area, towards(eye, place[0])) * dot(area, turn[0] + turn[2] + turn[4]);
-    bool o_is_inside = (toward[o] > 0.0) == (seen_from_front > 0.0);
     vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
     bool o_is_left = dot(cross(at_a, at_b), clip(place[o]).xyw) > 0.0;
     if (o_is_left != o_is_inside) {
@@ -100,4 +83,32 @@ void main() {
     l.mitre_b = mitre(l, v_after, false, l.joined_b);
     float far = half_width + 1.0;
     put(l, -far, far, vec4(0.0), CONTOUR, false, deep);
+}
+
+void main() {
+    for (int i = 0; i < 6; ++i) toward[i] = dot(turn[i], towards(eye, place[i]));
+    bvec3 facing_us = bvec3(toward[0] > 0.0, toward[2] > 0.0, toward[4] > 0.0);
+    if (all(facing_us) || !any(facing_us)) return;
+    // The corner o whose sign is its own; the contour runs from side o, p to side q, o.
+    int o = facing_us.y == facing_us.z ? 0 : facing_us.x == facing_us.z ? 2 : 4;
+    int p = (o + 2) % 6, q = (o + 4) % 6;
+    int flags = triangle_at(element()).w;
+    vec3 y0 = crossing(o, p), y1 = crossing(q, o), other;
+    vec2 v_before = goes_on(flags, o, o + 1, p, other) ? way(other, y0) : vec2(0.0);
+    vec2 v_after = goes_on(flags, q, q + 1, o, other) ? way(y1, other) : vec2(0.0);
+
+    // The polygons lie about the surface that is meant, before it and behind.
+    float by = lift(0, 2, 4);
+    for (int k = 0; k < 6; k += 2) by = max(by, lift(k, k + 1, (k + 2) % 6));
+    by *= pow(abs(determinant(mat3(modelview))), 1.0 / 3.0);
+    // The surface lies on the left of the line: the corners that face us, if the triangle does.
+    vec3 area = cross(place[2] - place[0], place[4] - place[0]);
+    float seen_from_front = dot(area, towards(eye, place[0])) * dot(area, turn[0] + turn[2] + turn[4]);
+    bool inside = (toward[o] > 0.0) == (seen_from_front > 0.0);
+    emit(y0, y1, v_before, v_after, by, o, inside);
+    if (seen_from_front >= 0.0) return;
+    // A contour that runs into a crease behind the polygons' own outline leaves a gap up to that.
+    vec2 none = vec2(0.0);
+    if (crease_between(flags, o)) emit(place[toward[o] > 0.0 ? o : p], y0, none, none, by, q, true);
+    if (crease_between(flags, q)) emit(y1, place[toward[o] > 0.0 ? o : q], none, none, by, p, true);
 }
