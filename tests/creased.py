@@ -25,8 +25,10 @@ ANGLE = 40.0
 """Degrees of a crease, the style's default."""
 FLAP = 0.15
 """Object units by which polygons may lie before the smooth surface that is meant."""
-CUSP = 0.15
+CUSP = 0.3
 """Cosine between the line of sight and the gradient of n.c below which a cusp is near."""
+NEAR = 8.0
+"""Pixels from where a silhouette is hidden, or ends in a crease, within which it may be hidden."""
 STEP = 0.5
 
 
@@ -39,8 +41,9 @@ def cone(n: int = 24) -> PolygonBatch:
 def lathe(n: int = 28) -> PolygonBatch:
     """A pawn: a foot, a waist, a collar with a sharp rim, a round head."""
     turns = np.arange(12) / 12 * 2.5 + 0.35
-    profile = [(0.0, -1.2), (0.75, -1.2), (0.75, -0.95), (0.45, -0.75), (0.3, -0.3), (0.24, 0.1),
-               (0.5, 0.2), (0.24, 0.3)]  # fmt: skip
+    profile = [(0.0, -1.2), (0.75, -1.2), (0.75, -0.95)]
+    profile += [(0.24 + 0.51 * (1 - t) ** 2.5, -0.95 + 1.05 * t) for t in np.arange(1, 11) / 10]
+    profile += [(0.5, 0.2), (0.24, 0.3)]
     profile += [(0.4 * np.sin(np.pi - t), 0.65 + 0.4 * np.cos(np.pi - t)) for t in turns[2:]]
     profile += [(0.0, 1.05)]
     points = [(r * np.cos(a), r * np.sin(a), z)
@@ -107,22 +110,35 @@ def smooth_lines(batch: PolygonBatch, camera: Camera, depth: np.ndarray) -> Segm
     eye = np.array(seen_from(camera, (0.0, 0.0, 1.0, 0.0))["eye"])
     found = creases(recovered(batch), angle=np.radians(ANGLE))
     lines = silhouettes(found, eye)
-    bulging = _bulging(found, lines, eye)
+    near_cusp = _bulging(found, lines, eye) <= CUSP
     ends = truth.window_space(truth.eye_space(lines.ends, camera), camera)
     out = (truth.window_space(truth.eye_space(lines.ends + 1e-4 * lines.normals, camera), camera)
            - ends)[..., :2].mean(axis=1)  # fmt: skip
     out /= np.maximum(np.linalg.norm(out, axis=1), 1e-300)[:, None]
+    # With one that may be hidden those that end where it ends may be, too.
+    apart = np.linalg.norm(ends[:, None, :, None, :2] - ends[None, :, None, :, :2], axis=4)
+    near_cusp = (near_cusp[None] & (apart.min(axis=(2, 3)) < 2.0)).any(axis=1)
+    loose = np.stack([~lines.before.any(axis=1), ~lines.after.any(axis=1)], axis=1)
     seen = []
-    for pair, aside, bulge in zip(ends, out, bulging, strict=True):
+    for one, (pair, aside, doubtful) in enumerate(zip(ends, out, near_cusp, strict=True)):
         points = _places(pair)
         flap = FLAP * _depth_of_a_unit(points, camera)
         nearest, beyond = (_at(depth, points[:, :2] + k * aside) for k in (-2.0, 2.0))
         state = np.full(len(points), sight.UNSURE)
-        if bulge > CUSP:
-            state[beyond > points[:, 2] + flap] = sight.SURE
+        sure = (beyond > points[:, 2] + flap) & ~doubtful
+        for end in pair[loose[one]]:  # at a crease, and maybe behind it
+            sure &= np.linalg.norm(points[:, :2] - end[:2], axis=1) > NEAR
+        state[sure] = sight.SURE
         front = np.maximum(nearest, np.maximum(_at(depth, points[:, :2]), beyond))
         state[front < points[:, 2] - flap] = sight.HIDDEN
         seen.append(state)
+    places = [_places(pair)[:, :2] for pair in ends]
+    hidden = np.concatenate([np.empty((0, 2)), *(at[state == sight.HIDDEN]
+                             for at, state in zip(places, seen, strict=True))])  # fmt: skip
+    for at, state in zip(places, seen, strict=True):
+        if len(hidden):
+            gap = np.linalg.norm(at[:, None] - hidden[None], axis=2).min(axis=1)
+            state[(state == sight.SURE) & (gap < NEAR)] = sight.UNSURE
     return Segments(ends, np.full((len(ends), 2), -1), seen, np.zeros((0, 2)))
 
 

@@ -17,7 +17,8 @@ uniform int cuts;              // 1: ends are cut along bisectors, for textures;
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
 flat out int on_surface;       // whether the quad lies on its triangle
 
-const float STEEP = 8.0;       // pixels' worth of depth a pixel by which a quad recedes at most
+const float EDGE_ON = 1e-5;    // cosine between normal and line of sight
+const float STEEP = 2.0;       // pixels' worth of depth a pixel by which a quad recedes at most
 const float JOINT = 0.05;      // pixels by which quads overlap against rounding
 const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
 const float SHARPEST = 0.5;    // the same on the outer side: bisectors up to two widths long
@@ -26,15 +27,17 @@ bool before(vec3 p, vec3 q) {
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-// Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
-// other: the corners are taken in one order, so that rounding says the same.
+// Whether a triangle turns counter-clockwise for the viewer; one that is seen edge-on does not. Both
+// triangles at an edge ask for each other: the corners are taken in one order, so that rounding says
+// the same.
 bool is_front(int a, int b, int c) {
     bool even = true;
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
     if (before(place[c], place[b])) { int i = b; b = c; c = i; even = !even; }
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
-    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
-    return (dot(area, towards(eye, place[a])) > 0.0) == even;
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]), sight = towards(eye, place[a]);
+    float facing_us = dot(area, sight) * (even ? 1.0 : -1.0);
+    return facing_us > EDGE_ON * length(area) * length(sight);
 }
 
 vec3 in_eye(vec3 point) { return (modelview * vec4(point, 1.0)).xyz; }

@@ -16,18 +16,22 @@ vec3 crossing(int a, int b) {
     return (toward[a] * place[b] - toward[b] * place[a]) / (toward[a] - toward[b]);
 }
 
+// By how much a vertex normal differs from a triangle's, as an angle; at a tip there is none.
+float bend(int v, vec3 plane) {
+    return turn[v] == vec3(0.0) ? BENT : distance(turn[v], plane);
+}
+
 // How far, in object units, the smooth surface may lie before a triangle: its width, less where it
-// is hardly bent.
+// is hardly bent; of slivers, around poles, what it swells by along them.
 float lift(int a, int b, int c) {
     vec3 area = cross(place[b] - place[a], place[c] - place[a]);
     float size = length(area);
     if (size <= 0.0) return 0.0;
     float longest = max(max(distance(place[a], place[b]), distance(place[b], place[c])),
                         distance(place[c], place[a]));
-    vec3 plane = area / size * (dot(area, turn[a]) < 0.0 ? -1.0 : 1.0);
-    float bent = max(max(distance(turn[a], plane), distance(turn[b], plane)),
-                     distance(turn[c], plane));
-    return min(bent / BENT, 1.0) * size / longest;
+    vec3 plane = area / size * (dot(area, turn[a] + turn[b] + turn[c]) < 0.0 ? -1.0 : 1.0);
+    float bent = max(max(bend(a, plane), bend(b, plane)), bend(c, plane));
+    return max(min(bent / BENT, 1.0) * size / longest, 0.5 * bent * longest);
 }
 
 // A point in eye space, moved towards the viewer.
