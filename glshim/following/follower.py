@@ -259,10 +259,15 @@ class Follower:
         self._close(self._scenes.current())
 
     def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
-        state = self._close(scene)
+        state = scene.drawing
+        opening = None if state is None else scene.left_open(names)
+        if opening is None:
+            self._close(scene)
         scene.compile(Call(names))
-        if state is not None and scene.lists_called(state, names):
-            self._now, scene.drawing = scene, state
+        if state is not None:
+            scene.lists_called(state, names, opening)
+        if opening is not None:  # GL is inside a primitive: it stays covered until that ends
+            self._now = scene
             self._colour = self._normal = b""
 
     def _drawn(

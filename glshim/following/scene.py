@@ -96,13 +96,17 @@ class Scene:
             return list_names(name, args, 0)
         return list_names(name, args, self._list_base if inside else integer(_LIST_BASE))
 
-    def lists_called(self, state: DrawState, names: tuple[int, ...]) -> bool:
-        """Lists were drawn in this state. True when the last one left a primitive open, whose rest
-        is recorded from now on."""
+    def left_open(self, names: tuple[int, ...]) -> int | None:
+        """The first list that, called, ends inside a primitive that it began."""
+        return next(filter(self.lists.leaves_open, names), None)
+
+    def lists_called(self, state: DrawState, names: tuple[int, ...], opening: int | None) -> None:
+        """Lists were drawn in this state, up to the one that left a primitive open, if any: its
+        rest is recorded from now on."""
         for name in names:
-            if self.lists.leaves_open(name):
+            if name == opening:
                 self._resume(name)
-                return True
+                return
             found = self.lists.polygons(
                 name, integer(_MATRIX_MODE), self.polygons, current_context()
             )
@@ -110,7 +114,6 @@ class Scene:
                 self.layer.add_batch(state, found.relative)
             for batch, modelview in found.absolute:
                 self.layer.add_batch(state, batch, replace(state.camera, modelview=modelview))
-        return False
 
     def _resume(self, name: int) -> None:
         said = b""

@@ -15,7 +15,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.recovery.halfedges import with_adjacency
+from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.smoothing_groups import (
     Strips,
@@ -32,6 +32,8 @@ Rule = Literal["normals", "angle", "either"]
 
 _TOPOLOGY: tuple[str, ...] = ("adjacency", "strips")
 """What is derived from the connectivity and the creases alone."""
+_DEFAULT = np.array((0.0, 0.0, 1.0), np.float32)
+"""OpenGL's normal where a program says nothing."""
 INVALID = np.float32(2.0)
 """The verifier of a vertex that no crease touches; those of others are sines, -1..1."""
 _ALIKE = 1e-3
@@ -201,13 +203,13 @@ def creases(
     zero or not finite: unknown, which differs from nothing.
     """
     corner_normals = _meant(mesh, corner_normals)
-    one, other = _halfedges(mesh)
+    one, other = (np.ascontiguousarray(side) for side in mesh.halves.T)
     parted = np.zeros(len(one), np.bool_)
     if corner_normals is not None and rule != "angle":
         parted = _parted(mesh, one, other, corner_normals)
     criterion = Criterion(rule, float(angle), float(least))
     flags = _edges(mesh, criterion, parted)
-    halves = Sides(one, other, _twins(mesh, one, other), parted)
+    halves = Sides(one, other, twins(mesh), parted)
     return _build(mesh, criterion, flags, halves, corner_normals)
 
 
@@ -234,34 +236,25 @@ def decoded(found: Creases, positions: NDArray[np.floating]) -> Flags:
     return out
 
 
-def _halfedges(mesh: Mesh) -> tuple[Indices, Indices]:
-    """(E,) and (E,) the halfedges of A and B of all edges, -1 for no B."""
-    a, b = (np.ascontiguousarray(side) for side in mesh.faces.T)
-    v0, v1 = (np.ascontiguousarray(end) for end in mesh.edges.T)
-    _, second, third = (np.ascontiguousarray(corner) for corner in mesh.triangles.T)
-    start = np.where(mesh.twisted, v0, v1) if mesh.twisted.any() else v1
-    one = 3 * a + (second.take(a) == v0) + 2 * (third.take(a) == v0)
-    if not len(b):
-        return one.astype(np.int32), b
-    other = 3 * b + (second.take(b) == start) + 2 * (third.take(b) == start)
-    other[b < 0] = -1
-    return one.astype(np.int32), other.astype(np.int32)
-
-
 def _meant(mesh: Mesh, sent: Floats | None) -> Floats | None:
-    """Normals (T, 3, 3) without those of components that turn and yet have one normal everywhere: a
-    program that never sends any has (0, 0, 1)."""
-    if sent is None or not len(sent):
+    """Normals (T, 3, 3) without those of components that turn and yet have (0, 0, 1) everywhere: so
+    has a program that never sends any."""
+    if sent is None:
+        return None
+    unset = (sent[:, 0] == _DEFAULT).all(axis=1)
+    if not unset.any():
+        return sent
+    unset &= (sent[:, 1:] == _DEFAULT).all(axis=(1, 2))
+    a, b = mesh.faces[unset[mesh.faces].all(axis=1) & (mesh.faces[:, 1] >= 0)].T
+    turns = dot(mesh.normals[a], mesh.normals[b]) < 1.0 - _ALIKE
+    if not turns.any():
         return sent
     label = mesh.components
-    first = np.full(int(label.max()) + 1, len(label), np.int32)
-    np.minimum.at(first, label, np.arange(len(label), dtype=np.int32))
-    leader = first[label]
-    alike = (sent == sent[leader, :1]).all(axis=(1, 2))
-    level = dot(mesh.normals, mesh.normals[leader]) > 1.0 - _ALIKE
-    varied, turning = (np.bincount(label, weights=~held) > 0 for held in (alike, level))
-    unsaid = (~varied & turning)[label]
-    return np.where(unsaid[:, None, None], np.float32(0.0), sent) if unsaid.any() else sent
+    unsaid = (np.bincount(label, weights=~unset) == 0)[label]
+    turning = np.zeros(len(sent), np.bool_)  # by component
+    turning[label[a[turns]]] = True
+    unsaid &= turning[label]
+    return np.where(unsaid[:, None, None], np.float32(0.0), sent)
 
 
 def _known(normals: Floats) -> Doubles:
@@ -316,15 +309,6 @@ def _turning(mesh: Mesh, least: float, some: Flags | None) -> Flags:
     # Of a triangle that has lost its area nothing is known.
     cosine = np.where(m.any(axis=1) & n.any(axis=1), dot(m, n), 1.0)
     found[at] = cosine <= np.cos(min(least, np.pi))
-    return found
-
-
-def _twins(mesh: Mesh, one: Indices, other: Indices) -> Indices:
-    """(3 T,) as `recovery.halfedges.twins`, of the edges' halfedges (E,) and (E,)."""
-    met = np.flatnonzero(other >= 0)
-    one, other = one.take(met), other.take(met)
-    found = np.full(mesh.triangles.size, -1, np.int32)
-    found[one], found[other] = other, one
     return found
 
 

@@ -17,8 +17,6 @@ from glshim.geometry.vectors import Doubles, cross, dot
 
 Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]
-RIM = 1.0
-"""Pixels by which a quad is wider than half its line, to both sides: room for smooth edges."""
 SHORTEST = 1e-3
 """Pixels of an edge that has a fin."""
 
@@ -40,7 +38,7 @@ class Fins(NamedTuple):
     side: Indices
     """(F,) which of the `Sides`; those that cannot be seen have none."""
     ends: Doubles
-    """(F, 2, 3) where the edge runs from and to, with its triangle on the left: pixels and window
+    """(F, 2, 3) where the edge runs from and to, with its triangles on the left: pixels and window
     depth."""
     reach: Doubles
     """(F, 4, 2) of the corners: pixels along the edge, and to the right of it."""
@@ -89,11 +87,12 @@ def fins(
     where = np.asarray(positions, np.float64)
     corners = [
         _moved(where[six[sides.triangle, (2 * sides.side + step) % 6]], camera.modelview)
-        for step in (0, 2, 4)
+        for step in (0, 2, 4, 1)
     ]
     near = camera.projection[2] + camera.projection[3]
     a, b, left = _cut(corners[0], corners[1], [near, *map(np.asarray, camera.clip_planes)])
-    at = [_moved(eye, camera.projection)[:, (0, 1, 3)] for eye in (a, b, corners[2])]
+    beside = np.where(sides.open[:, None], corners[2], corners[2] + corners[3])
+    at = [_moved(eye, camera.projection)[:, (0, 1, 3)] for eye in (a, b, beside)]
     swap = dot(cross(at[0], at[1]), at[2]) < 0.0
     a, b = np.where(swap[:, None], b, a), np.where(swap[:, None], a, b)
     ends = np.stack((_window(a, camera), _window(b, camera)), axis=1)
@@ -103,7 +102,7 @@ def fins(
         along /= size[:, None]
     kept = np.flatnonzero(left & (size >= SHORTEST)).astype(np.int32)
     ends, along, size = ends[kept], along[kept], size[kept]
-    side = half_width + RIM
+    side = half_width
     beyond = np.full_like(size, side) if rounded else overhang * size
     t = np.stack((-beyond, -beyond, size + beyond, size + beyond), axis=1)
     s = np.broadcast_to((-side, side, -side, side), t.shape)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 from itertools import groupby
 
 import moderngl
@@ -122,10 +122,11 @@ class Backend:
             return
         if self._runner is None:
             self._runner = Runner(self.pen.context, self._harvest.objects, self._cache_bytes)
-        self._runner.run(
-            passes, window, box, self._depth, self._textures,
-            greater=greater, hair=hair_of(bits),
-        )  # fmt: skip
+        for camera, some in _by_stencil(passes):
+            self._runner.run(
+                some, window, box, self._depth, self._textures, camera,
+                greater=greater, hair=hair_of(bits),
+            )  # fmt: skip
 
     def _take_depth(self, items: list[Item], box: Box, bits: int, greater: bool) -> None:
         """Have the layer's finished depth in a texture."""
@@ -180,6 +181,22 @@ class _Run:
         lines = [(draw.batch, draw.camera) for group in self.lines for draw in group]
         bodies = (body for one in self.passes for body in one.bodies)
         return lines + [(batch, body.camera) for body in bodies for batch in body.batches]
+
+
+def _by_stencil(passes: list[Pass]) -> Iterator[tuple[Camera, list[Pass]]]:
+    """Passes parted by the app's stencil tests, which hold where they go over its picture, and
+    a camera that has the test. What prepares the depth of whole windows is in every part."""
+    cameras = {body.camera.stencil: body.camera for one in passes for body in one.bodies}
+    if len(cameras) == 1:
+        yield next(iter(cameras.values())), passes
+        return
+    for test, camera in cameras.items():
+        parts = []
+        for one in passes:
+            whole = one.element == "screen" and not one.state.writes_colour
+            own = [body for body in one.bodies if whole or body.camera.stencil == test]
+            parts.append(replace(one, bodies=tuple(own)))
+        yield camera, [one for one in parts if one.bodies]
 
 
 def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:

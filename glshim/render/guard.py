@@ -24,8 +24,9 @@ _SWITCHES = (
     0x8C89,  # rasterizer discard
     0x884F,  # seamless cube maps, which moderngl turns on in a new context
     0x8F9D,  # primitive restart
+    0x8458,  # colour sum, which Mesa forgets
 )
-"""What no attribute stack holds. Contexts before 3.0 need not know them."""
+"""What no attribute stack gives back. Contexts before 3.0 need not know them."""
 _FRAMEBUFFERS = (_DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER, _RENDERBUFFER)
 
 

@@ -15,7 +15,7 @@ from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
 from glshim.geometry.poses import Keyframes, Pose
 from glshim.notices import say_once
-from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of, scissor, turned
+from glshim.render.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
 from glshim.render.colour import UNIT as COLOUR_UNIT
 from glshim.render.colour import ColourCopy
 from glshim.render.depth import Box, DepthCopy
@@ -77,12 +77,14 @@ class Runner:
         box: Box,
         depth: DepthCopy,
         textures: Textures,
+        last: Camera,
         *,
         greater: bool,
         hair: float,
     ) -> None:
-        """All passes on the stage, which then goes over the window. greater: the app's depth test
-        lets greater depths win; hair in window depth."""
+        """All passes on the stage, which then goes over the window where the stencil test of the
+        last camera lets it. greater: the app's depth test lets greater depths win; hair in window
+        depth."""
         self._stage.open(box)
         if any("app_colour" in one.shader.fragment for one in passes):
             self._colour.take(window, box)
@@ -108,7 +110,7 @@ class Runner:
         if before:
             self._stage.reopen()
         _set(State(depth="always", blend="off"), greater)
-        gl.glDisable(_STENCIL)
+        stencil(last)
         self._stage.put_over(window, box)
 
     def _turn_to_buffer(self, box: Box, greater: bool) -> None:

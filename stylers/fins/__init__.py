@@ -91,7 +91,8 @@ class Fins(Styler):
             return
         if self.fill in ("lit", "cel"):
             bands = round(self.bands) if self.fill == "cel" else 0
-            yield from lit_passes(found, layer.light, Lighting(self.paint, self.shine, bands))
+            look = Lighting(self.paint, self.shine, bands)
+            yield from lit_passes(found, layer.light, look, self.tolerance)
         uniforms: dict[str, Uniform] = {
             "half_width": self.half_width,
             "overhang": self.overhang if self.joints == "overhang" else 0.0,

@@ -48,13 +48,17 @@ int kind_of(int a, int b, int c, int across) {
     return dot(own, other) < -SHARP * lengths ? RING : CONTOUR;
 }
 
-void emit(int a, int b, int c, int shape) {
+void emit(int a, int b, int c, int across, int shape) {
     vec3 eye_a = (modelview * vec4(place[a], 1.0)).xyz;
     vec3 eye_b = (modelview * vec4(place[b], 1.0)).xyz;
     if (!cut(eye_a, eye_b)) return;
-    // The triangle lies on the left of the edge on the screen.
+    // Both triangles lie on the left of the edge on the screen. Where both are seen edge on, what
+    // is in the object does.
+    vec3 within = -1e-3 * distance(place[a], place[b]) * (normal(number[a]) + normal(number[b]));
+    vec3 left = clip(place[c]).xyw + clip(place[across]).xyw
+              + (projection * (modelview * vec4(within, 0.0))).xyw;
     vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
-    if (dot(cross(at_a, at_b), clip(place[c]).xyw) < 0.0) {
+    if (dot(cross(at_a, at_b), left) < 0.0) {
         vec3 kept = eye_a;
         eye_a = eye_b;
         eye_b = kept;
@@ -98,8 +102,8 @@ void main() {
     bool front = is_front(0, 2, 4);
     for (int k = 0; k < 6; k += 2) {
         int a = k, across = k + 1, b = (k + 2) % 6, c = (k + 4) % 6;
-        if (number[across] == number[a]) emit(a, b, c, RING);
+        if (number[across] == number[a]) emit(a, b, c, a, RING);
         else if (number[c] <= number[across] && front != is_front(a, across, b))
-            emit(a, b, c, kind_of(a, b, c, across));
+            emit(a, b, c, across, kind_of(a, b, c, across));
     }
 }

@@ -45,9 +45,11 @@ class Lighting:
     """Flat shades of light; 0: smooth."""
 
 
-def lit_passes(found: tuple[Body, ...], light: Light, look: Lighting) -> Iterator[Pass]:
+def lit_passes(
+    found: tuple[Body, ...], light: Light, look: Lighting, tolerance: float
+) -> Iterator[Pass]:
     """For bodies that are seen through one lens after the other, the G-buffer and the light on
-    it. light: in eye space, homogeneous."""
+    it. light: in eye space, homogeneous; tolerance: object units at which corners are one."""
     paint = (0.0, 0.0, 0.0, 0.0) if isinstance(look.paint, str) else (*look.paint, 1.0)
     for lens in _lenses(found):
         first = lens[0].camera
@@ -57,8 +59,9 @@ def lit_passes(found: tuple[Body, ...], light: Light, look: Lighting) -> Iterato
             "paint": paint, "shine": look.shine, "bands": float(look.bands),
         }  # fmt: skip
         yield Pass(
-            BUFFER, lens, "surface", state=_NEAREST, creases=_CREASES, buffer=True, sheet=_UNDER
-        )
+            BUFFER, lens, "surface", state=_NEAREST, creases=_CREASES, buffer=True, sheet=_UNDER,
+            tolerance=tolerance,
+        )  # fmt: skip
         yield Pass(
             SURFACE, lens[:1], "screen", state=_OVER_ALL, uniforms=uniforms, sheet=_UNDER
         )

@@ -64,7 +64,10 @@ void main() {
     to_light = dot(to_light, to_light) > 0.0 ? normalize(to_light) : sight;
     float lit = max(dot(n, to_light), 0.0), seen = max(dot(n, sight), 0.0);
     float bright = max(lit, HEADLIGHT * seen);
-    float gleam = lit > 0.0 ? pow(max(dot(n, normalize(to_light + sight)), 0.0), GLOSS) : 0.0;
+    vec3 middle = normalize(to_light + sight);
+    float gleam = lit > 0.0 ? pow(max(dot(n, middle), 0.0), GLOSS) : 0.0;
+    // A flat face under parallel light, seen in parallel, would shine as a whole.
+    if (length(fwidth(n)) + length(fwidth(middle)) < 1e-5) gleam = 0.0;
 
     // What the app drew besides its meshes, or over them, stays. Drivers cut a quad that is not
     // flat along either diagonal.

@@ -33,7 +33,7 @@ class Unsieved(Styler):
     """A style whose shaders run over every element."""
 
     name: ClassVar[str] = "unsieved"
-    style: Styler = Fins()
+    style: Styler = Fins()  # noqa: RUF009
 
     def draws(self, layer: Layer) -> Iterable[object]:
         for one in self.style.draws(layer):

@@ -6,7 +6,7 @@ from tests.figures.table import Figure
 
 TORUS = ("-m", "tests.figures.programs.torus")
 DRAGON = ("-m", "demo_apps.figure")
-_BARE = "fins:half_width=7,overhang=0,antialias=off,spine=off"
+_BARE = "fins:half_width=7,joints=none"
 
 FIGURES = (
     Figure("rideout_old_school", TORUS, ("two_pass:width=7,smooth=off", "two_pass:width=7"), 2),
@@ -14,10 +14,10 @@ FIGURES = (
         "rideout_steps",  # no anti-aliasing, anti-aliasing, spine test, gaps filled
         TORUS,
         (
+            f"{_BARE},tip=0,spine=off",
+            f"{_BARE},spine=off",
             _BARE,
-            "fins:half_width=7,overhang=0,antialias=on,spine=off",
-            "fins:half_width=7,overhang=0,antialias=on,spine=on",
-            "fins:half_width=7,antialias=on,spine=on",
+            "fins:half_width=7,joints=overhang",
         ),
         2,
     ),

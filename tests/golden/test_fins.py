@@ -211,8 +211,8 @@ def test_light_falls_as_lambert_has_it(backend):
     at = look.look_at((0, -5, 0.4))
     camera = Camera(at, look.orthographic(), (0, 0, 400, 400))
     light = np.array((0.6, 0.48, 0.64))
-    before, after, there = drawn(backend, [(sphere, camera)], fill="lit", paint="#ffffff",
-                                 shine=0.0, light=(*light, 0.0), half_width=0.5)  # fmt: skip
+    _, after, there = drawn(backend, [(sphere, camera)], fill="lit", paint="#ffffff",
+                            shine=0.0, light=(*light, 0.0), half_width=0.5)  # fmt: skip
     y, x = np.mgrid[0:400, 0:400]
     n = np.stack(((x - 199.5) / 100, (y - 199.5) / 100), axis=2) / 1.2
     flat = (n**2).sum(axis=2)
@@ -243,7 +243,7 @@ def test_a_cube_without_normals_has_flat_faces(backend):
     _, after, there = drawn(backend, [(look.cube(), camera)], fill="lit", paint="#ffffff",
                             shine=0.0, light=(0.3, 0.5, 0.8, 0.0), half_width=0.5)  # fmt: skip
     inner = after[there & ~widened(~there, 3.0)][:, 0]
-    values, counts = np.unique(inner, return_counts=True)
+    _, counts = np.unique(inner, return_counts=True)
     assert counts[np.argsort(counts)[-3:]].sum() > 0.97 * len(inner)
 
 
@@ -346,3 +346,84 @@ def test_what_the_app_cuts_off_hides_nothing(backend, fill):
 def test_a_still_picture_stands_still(backend, fill):
     one, other = (drawn(backend, [(look.torus(), CAMERA)], fill=fill)[1] for _ in range(2))
     assert (one == other).all()
+
+
+@pytest.mark.parametrize("fill", ["lit", "cel"])
+def test_windows_with_samples_are_lit_too(backend, fill):
+    with look.multisampled():
+        own = Backend.attach()
+        before, after, there = drawn(own, [(look.torus(), CAMERA)], fill=fill, paint="#ff00ff")
+        changed = (before != after).any(axis=2)
+        assert changed[there].mean() > 0.99
+        assert not changed[~widened(there, 3.0)].any()
+
+
+@pytest.mark.parametrize("turn", [0, 7, 30, 45, 77])
+def test_a_box_seen_straight_on_has_its_whole_outline(backend, turn):
+    """Its sides are seen edge on: rounding says which of their triangles face the viewer."""
+    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    spin = np.eye(4)
+    spin[:2, :2] = (c, -s), (s, c)
+    for k in range(3):
+        axes = np.eye(4)
+        axes[:3, :3] = np.roll(np.eye(3), k, axis=0)
+        at = spin @ axes
+        at[2, 3] = -5.0
+        camera = Camera(at, look.orthographic(), (0, 0, 400, 400))
+        before, after, there = drawn(backend, [(look.cube(), camera)])
+        outline = ~there & widened(there, 1.0)
+        assert (look.ink(before, after)[outline] > 0.3).mean() > 0.99
+
+
+@pytest.mark.parametrize("make", [look.torus, look.cube, look.cylinder])
+def test_lines_lie_alike_however_polygons_wind(backend, make):
+    mesh = make()
+    back = look.batch(mesh.positions, [p[::-1] for p in look.polygons_of(mesh)])
+    for direction in look.directions(4):
+        camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, 400, 400))
+        inks = [look.ink(*drawn(backend, [(one, camera)])[:2]) for one in (mesh, back)]
+        assert (inks[0] > 0.5).sum() > 500
+        assert (np.abs(inks[0] - inks[1]) > 0.1).sum() < 0.01 * (inks[0] > 0.5).sum()
+
+
+def test_the_foot_of_a_box_is_drawn_on_the_floor(backend):
+    """Open or closed: nothing says that a box and what it stands on are one."""
+    floor = look.batch([(-3, -3, -0.9), (3, -3, -0.9), (3, 3, -0.9), (-3, 3, -0.9)],
+                       [[0, 1, 2, 3]])  # fmt: skip
+    box = look.cube()
+    sides = look.batch(box.positions, look.polygons_of(box)[2:4] + look.polygons_of(box)[:2])
+    camera = Camera(look.look_at((4, 3, 2.5)), look.perspective(), (0, 0, 400, 400))
+    foot = np.array([(0.9, y, -0.9) for y in np.linspace(-0.8, 0.8, 60)])
+    at = np.c_[foot, np.ones(60)] @ (camera.projection @ camera.modelview).T
+    x, y = np.floor((at[:, :2] / at[:, 3:] + 1) * 200).astype(int).T
+    for mesh in (box, sides):
+        before, after, _ = drawn(backend, [(floor, camera), (mesh, camera)])
+        assert (look.ink(before, after)[y, x] > 0.9).mean() > 0.97
+
+
+def test_the_apps_stencil_test_holds_where_passes_go_over_its_picture(backend):
+    """A mirror's image stays in the mirror: half of the window, in the app's stencil."""
+    mesh = look.torus()
+    free = Camera(look.look_at((3, -2.5, 2.2)), look.perspective(), (0, 0, 400, 400))
+    held = replace(free, stencil=(GL.GL_EQUAL, 1, 255))
+
+    def picture(*cameras: Camera) -> np.ndarray:
+        look.clear()
+        GL.glEnable(GL.GL_SCISSOR_TEST)
+        GL.glScissor(0, 0, 200, 400)
+        GL.glClearStencil(1)
+        GL.glClear(GL.GL_STENCIL_BUFFER_BIT)
+        GL.glDisable(GL.GL_SCISSOR_TEST)
+        GL.glClearStencil(0)
+        look.draw_base(mesh, free)
+        backend.render(Fins().draws(Layer(tuple((mesh, camera) for camera in cameras))))
+        return look.pixels()
+
+    whole, half, bare = picture(free), picture(held), picture()
+    assert (half[:, :200] == whole[:, :200]).all()
+    assert (half[:, 200:] == bare[:, 200:]).all()
+    assert (whole[:, 200:] != bare[:, 200:]).any()
+    beside = replace(held, modelview=look.look_at((3, 2.5, 2.2)))
+    both = picture(free, beside)
+    assert (both[:, 200:] == whole[:, 200:]).all()
+    assert (both[:, :200] != whole[:, :200]).any()

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.recovery.components import turned
+from glshim.geometry.recovery.welding import sorted_with
 
 Indices = NDArray[np.int32]
 Rows = NDArray[np.intp]
@@ -23,6 +24,7 @@ class Adjacency(NamedTuple):
     edges: Indices
     faces: Indices
     opposite: Indices
+    halves: Indices
     true: Flags
     manifold: Flags
     turned: Flags
@@ -48,8 +50,7 @@ def meet(triangles: Indices, count: int) -> Sides:
     key *= count
     key += np.maximum(start, end)
     key = key.ravel()
-    order = np.argsort(key)
-    ordered = key[order]
+    order, ordered = sorted_with(key.view(np.uint64), 2 * count.bit_length())
     begins = np.ones(len(key), np.bool_)
     np.not_equal(ordered[1:], ordered[:-1], out=begins[1:])
     at = np.flatnonzero(begins)
@@ -69,6 +70,8 @@ def repeated(triangles: Indices, sides: Sides) -> Rows:
     alike = np.flatnonzero(starts[sides.one] == starts[sides.other])
     twice = across[sides.one[alike]] == across[sides.other[alike]]
     pairs = alike[twice]
+    if not len(pairs) and not len(sides.crowded):
+        return np.empty(0, np.intp)
     doubtful = (sides.crowded, sides.one[pairs], sides.other[pairs])
     suspects = np.unique(np.concatenate(doubtful) // 3)
     corners = triangles[suspects]
@@ -112,6 +115,7 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
     twisted[met] = against ^ turn[first] ^ turn[second]
 
     edges = np.stack((starts[a], ends[a]), axis=1)
+    halves = np.stack((a, b), axis=1)
     opposite = np.empty_like(edges)
     across = triangles[:, _BEFORE].ravel()
     opposite[:, 0] = across[a]
@@ -120,5 +124,10 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
         edges[back] = edges[back][:, ::-1]
         triangles = triangles.copy()
         triangles[turn] = triangles[turn][:, (0, 2, 1)]
+        # Of what was the side from corner k the end is now its start: corner 2 - k.
+        round_ = turn[faces] & (halves >= 0)
+        halves[round_] = (6 * faces + 2 - halves)[round_]
     opposite[:, 1] = np.where(b >= 0, across[b], edges[:, 0])
-    return Adjacency(triangles, edges, faces, opposite, flags[a], manifold[a], turn, twisted)
+    return Adjacency(
+        triangles, edges, faces, opposite, halves, flags[a], manifold[a], turn, twisted
+    )

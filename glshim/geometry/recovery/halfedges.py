@@ -12,28 +12,16 @@ from numpy.typing import NDArray
 from glshim.geometry.recovery.mesh import Mesh
 
 Indices = NDArray[np.int32]
-_NEXT = np.array((1, 2, 0))
 
 
 def twins(mesh: Mesh) -> Indices:
     """(3 T,) the halfedge on the other side of each, -1 where an edge has one triangle, or more
     than two. Of a twisted edge both run the same way."""
-    starts = mesh.triangles.ravel()
-    a, b = mesh.faces[mesh.faces[:, 1] >= 0].T
-    v0, v1 = mesh.edges[mesh.faces[:, 1] >= 0].T
-    one = _side(mesh.triangles, a, v0, v1)
-    other = _side(mesh.triangles, b, v1, v0)
-    found = np.full(len(starts), -1, np.int32)
+    found = np.full(mesh.triangles.size, -1, np.int32)
+    met = np.flatnonzero(mesh.halves[:, 1] >= 0)
+    one, other = (side.take(met) for side in mesh.halves.T)
     found[one], found[other] = other, one
     return found
-
-
-def _side(triangles: Indices, which: Indices, v0: Indices, v1: Indices) -> Indices:
-    """(E,) the halfedge of a triangle between two of its vertices, either way."""
-    corners = triangles.take(which, axis=0)
-    # The corner that is neither end lies opposite, and the side begins after it.
-    opposite = ((corners != v0[:, None]) & (corners != v1[:, None])).argmax(axis=1)
-    return np.asarray(3 * which + _NEXT[opposite], np.int32)
 
 
 def with_adjacency(triangles: Indices, twin: Indices) -> Indices:

@@ -88,6 +88,9 @@ class Mesh:
     has a row for each, without B."""
     opposite: Indices
     """(E, 2) vertices v2 of A and v3 of B; without B, v3 = v0 (equation 1)."""
+    halves: Indices
+    """(E, 2) the halfedges of A and B: 3 t + k for the side from corner k of triangle t; without B,
+    -1. A twisted edge's run the same way."""
     true: Flags
     """(E,) a true side of a polygon, of any there: no diagonal."""
     manifold: Flags

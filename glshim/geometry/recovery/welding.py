@@ -71,8 +71,11 @@ def _equals(points: Floats) -> Indices:
     """(N,) the first point (N, 3) with the same bits."""
     bits = points.view(np.int32)
     key = mixed(bits.T)
-    order = np.argsort(key)
-    leader = _first_of_runs(order, key[order])
+    held = 64 - len(key).bit_length()
+    leader = _first_of_runs(*sorted_with(key >> np.uint64(64 - held), held))
+    if held < 64 and not np.array_equal(bits.take(leader, axis=0), bits):
+        # Different points met in what is left of their keys.
+        leader = _first_of_runs(*sorted_with(key, 64))
     if not np.array_equal(bits.take(leader, axis=0), bits):
         # Different points met in one key: by all their 96 bits then.
         order = np.lexsort(bits.T)
@@ -80,6 +83,19 @@ def _equals(points: Floats) -> Indices:
         news = np.concatenate(([True], (rows[1:] != rows[:-1]).any(axis=1)))
         leader = _first_of_runs(order, np.cumsum(news).astype(np.uint64))
     return leader
+
+
+def sorted_with(key: Keys, bits: int) -> tuple[NDArray[np.intp], Keys]:
+    """(N,) the order that sorts keys (N,) of so many bits, and the sorted keys."""
+    room = len(key).bit_length()
+    if bits + room > 64:
+        order = np.argsort(key)
+        return order, key[order]
+    # Numbers are sorted several times sooner than their order is found: each takes its own along.
+    packed = key << np.uint64(room)
+    packed |= np.arange(len(key), dtype=np.uint64)
+    packed.sort()
+    return (packed & np.uint64((1 << room) - 1)).astype(np.intp), packed >> np.uint64(room)
 
 
 def mixed(columns: Iterable[NDArray[np.generic]]) -> Keys:
