@@ -22,12 +22,6 @@ bool says_crease(vec4 at_a, vec4 at_b, vec3 e) {
         && abs(e.y * e_after.z - e.z * e_after.y - at_b.w) < SINE;
 }
 
-// The direction on the screen of a direction in object space, at a point.
-vec2 on_the_screen(vec3 way, vec3 point) {
-    vec4 here = clip(point), flow = projection * vec4(mat3(modelview) * way, 0.0);
-    return here.w > 0.0 ? unit((flow.xy * here.w - here.xy * flow.w) * viewport.zw) : vec2(0.0);
-}
-
 // Depth a pixel on the plane through a line and a corner.
 vec2 slope_of(vec3 eye_a, vec3 eye_b, vec3 point, float deep) {
     vec3 area = cross(eye_b - eye_a, in_eye(point) - eye_a);

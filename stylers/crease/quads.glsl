@@ -49,6 +49,12 @@ vec2 unit(vec2 v) {
     return size > 0.0 ? v / size : vec2(0.0);
 }
 
+// The direction on the screen of a direction in object space, at a point.
+vec2 on_the_screen(vec3 way, vec3 point) {
+    vec4 here = clip(point), flow = projection * vec4(mat3(modelview) * way, 0.0);
+    return here.w > 0.0 ? unit((flow.xy * here.w - here.xy * flow.w) * viewport.zw) : vec2(0.0);
+}
+
 // A line on the screen and what it is joined to.
 struct Line {
     vec3 from, to;      // pixels, depth

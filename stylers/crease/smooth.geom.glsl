@@ -16,6 +16,11 @@ vec3 crossing(int a, int b) {
     return (toward[a] * place[b] - toward[b] * place[a]) / (toward[a] - toward[b]);
 }
 
+// The normal there, not of unit length.
+vec3 normal_at(int a, int b) {
+    return (toward[a] * turn[b] - toward[b] * turn[a]) / (toward[a] - toward[b]);
+}
+
 // By how much a vertex normal differs from a triangle's, as an angle; at a tip there is none.
 float bend(int v, vec3 plane) {
     return turn[v] == vec3(0.0) ? BENT : distance(turn[v], plane);
@@ -59,15 +64,14 @@ vec2 way(vec3 from, vec3 to) {
     return length(found) < 1e-3 ? vec2(0.0) : normalize(found);
 }
 
-// The quad from one point to another; o: a corner beside it, on the side of the surface or not.
-void emit(vec3 from, vec3 to, vec2 v_before, vec2 v_after, float by, int o, bool o_is_inside) {
+// The quad from one point to another, where the surface ends in a direction.
+void emit(vec3 from, vec3 to, vec2 v_before, vec2 v_after, float by, vec3 outwards) {
     vec3 eye_a = lifted(from, by), eye_b = lifted(to, by), whole_a = eye_a, whole_b = eye_b;
     if (!cut(eye_a, eye_b)) return;
     if (eye_a != whole_a) v_before = vec2(0.0);
     if (eye_b != whole_b) v_after = vec2(0.0);
-    vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
-    bool o_is_left = dot(cross(at_a, at_b), clip(place[o]).xyw) > 0.0;
-    if (o_is_left != o_is_inside) {
+    vec2 right = perpendicular(window(eye_b).xy - window(eye_a).xy);
+    if (dot(right, on_the_screen(outwards, eye_a == whole_a ? from : to)) < 0.0) {
         vec3 kept = eye_a;
         eye_a = eye_b;
         eye_b = kept;
@@ -105,14 +109,17 @@ void main() {
     float by = lift(0, 2, 4);
     for (int k = 0; k < 6; k += 2) by = max(by, lift(k, k + 1, (k + 2) % 6));
     by *= pow(abs(determinant(mat3(modelview))), 1.0 / 3.0);
-    // The surface lies on the left of the line: the corners that face us, if the triangle does.
-    vec3 area = cross(place[2] - place[0], place[4] - place[0]);
-    float seen_from_front = dot(area, towards(eye, place[0])) * dot(area, turn[0] + turn[2] + turn[4]);
-    bool inside = (toward[o] > 0.0) == (seen_from_front > 0.0);
-    emit(y0, y1, v_before, v_after, by, o, inside);
-    if (seen_from_front >= 0.0) return;
+    // Where n.c grows towards the viewer the surface ends on the side of its normal.
+    vec3 u = place[2] - place[0], v = place[4] - place[0], area = cross(u, v);
+    vec3 rise = cross(v, area) * (toward[2] - toward[0]) + cross(area, u) * (toward[4] - toward[0]);
+    vec3 sight = towards(eye, (place[0] + place[2] + place[4]) / 3.0);
+    vec3 outwards = normal_at(o, p) + normal_at(q, o);
+    emit(y0, y1, v_before, v_after, by, dot(rise, sight) < 0.0 ? -outwards : outwards);
+    if (dot(area, sight) * dot(area, turn[0] + turn[2] + turn[4]) >= 0.0) return;
     // A contour that runs into a crease behind the polygons' own outline leaves a gap up to that.
     vec2 none = vec2(0.0);
-    if (crease_between(flags, o)) emit(place[toward[o] > 0.0 ? o : p], y0, none, none, by, q, true);
-    if (crease_between(flags, q)) emit(y1, place[toward[o] > 0.0 ? o : q], none, none, by, p, true);
+    if (crease_between(flags, o))
+        emit(place[toward[o] > 0.0 ? o : p], y0, none, none, by, y0 - place[q]);
+    if (crease_between(flags, q))
+        emit(y1, place[toward[o] > 0.0 ? o : q], none, none, by, y1 - place[p]);
 }
