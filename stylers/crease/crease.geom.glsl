@@ -69,7 +69,7 @@ void emit(int a, int b, int c, int d, bool contour, int kind) {
 
 void main() {
     int flags = triangle_at(element()).w;
-    bool closed = (flags & 1) == 1, front = is_front(0, 2, 4);
+    bool closed = (flags & 1) == 1, front = is_front(flags, 0, 2, 4);
     if (closed && !front) return;
     for (int k = 0; k < 3; ++k) {
         int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
@@ -77,7 +77,7 @@ void main() {
         if (verified == 1)
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
         if (!crease) continue;
-        bool contour = open || (front && !is_front(a, across, b));
+        bool contour = open || (front && !is_front(flags, a, across, b));
         emit(a, b, c, across, contour, open ? FIN : contour ? RING : RIDGE);
     }
 }

@@ -20,18 +20,18 @@ flat out int on_surface;       // whether the quad lies on its triangle
 const float EDGE_ON = 1e-5;    // cosine between normal and line of sight
 const float STEEP = 2.0;       // pixels' worth of depth a pixel by which a quad recedes at most
 const float JOINT = 0.05;      // pixels by which quads overlap against rounding
-const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
-const float SHARPEST = 0.5;    // the same on the outer side: bisectors up to two widths long
+const float HAIRPIN = 1e-4;    // 1 + cosine of a turn that no bisector serves, on the inner side
+const float SHARPEST = 0.125;  // the same on the outer side: bisectors up to four widths long
 
 bool before(vec3 p, vec3 q) {
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-// Whether a triangle turns counter-clockwise for the viewer; one that is seen edge-on does not. Both
-// triangles at an edge ask for each other: the corners are taken in one order, so that rounding says
-// the same.
-bool is_front(int a, int b, int c) {
-    bool even = true;
+// Whether a triangle turns its outside to the viewer; one that is seen edge-on does not. Flags: those
+// of a triangle of its component. Both triangles at an edge ask for each other: the corners are taken
+// in one order, so that rounding says the same.
+bool is_front(int flags, int a, int b, int c) {
+    bool even = (flags & 128) == 0;
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
     if (before(place[c], place[b])) { int i = b; b = c; c = i; even = !even; }
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
