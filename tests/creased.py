@@ -78,6 +78,8 @@ class Segments:
     """Of each the sight (`tests.score.sight`) of places along it, evenly."""
     slopes: np.ndarray
     """(P, 2) window depth a pixel of each polygon."""
+    fronts: np.ndarray
+    """(S,) of creases: how many polygons beside each are seen, 1: a contour."""
 
 
 def crease_lines(batch: PolygonBatch, camera: Camera) -> Segments:
@@ -93,16 +95,17 @@ def crease_lines(batch: PolygonBatch, camera: Camera) -> Segments:
     bent = (normals[found["silhouettes"].polygons] ** 1).prod(axis=1).sum(axis=1)
     sharp = (found["silhouettes"].polygons[:, 1] < 0) | (bent < np.cos(np.radians(ANGLE)))
     outer = found["silhouettes"]
+    fronts = np.repeat((2, 1), (sum(len(one.ends) for one in kept), int(sharp.sum())))
     kept.append(truth.Lines(outer.ends[sharp], outer.polygons[sharp], outer.doubtful[sharp]))
     ends = np.concatenate([one.ends for one in kept])
     polygons = np.concatenate([one.polygons for one in kept])
     seen = []
     for pair, owners in zip(ends, polygons, strict=True):
-        points = _places(pair)
+        points = places_of(pair)
         along = np.repeat((pair[1] - pair[0])[None, :2], len(points), axis=0)
         along /= np.linalg.norm(along, axis=1)[:, None]
         seen.append(scene.sight(points, np.repeat(owners[None], len(points), 0), along, False))
-    return Segments(ends, polygons, seen, scene.depth_slope)
+    return Segments(ends, polygons, seen, scene.depth_slope, fronts)
 
 
 def smooth_lines(batch: PolygonBatch, camera: Camera, depth: np.ndarray) -> Segments:
@@ -121,7 +124,7 @@ def smooth_lines(batch: PolygonBatch, camera: Camera, depth: np.ndarray) -> Segm
     loose = np.stack([~lines.before.any(axis=1), ~lines.after.any(axis=1)], axis=1)
     seen = []
     for one, (pair, aside, doubtful) in enumerate(zip(ends, out, near_cusp, strict=True)):
-        points = _places(pair)
+        points = places_of(pair)
         flap = FLAP * _depth_of_a_unit(points, camera)
         nearest, beyond = (_at(depth, points[:, :2] + k * aside) for k in (-2.0, 2.0))
         state = np.full(len(points), sight.UNSURE)
@@ -132,14 +135,15 @@ def smooth_lines(batch: PolygonBatch, camera: Camera, depth: np.ndarray) -> Segm
         front = np.maximum(nearest, np.maximum(_at(depth, points[:, :2]), beyond))
         state[front < points[:, 2] - flap] = sight.HIDDEN
         seen.append(state)
-    places = [_places(pair)[:, :2] for pair in ends]
+    places = [places_of(pair)[:, :2] for pair in ends]
     hidden = np.concatenate([np.empty((0, 2)), *(at[state == sight.HIDDEN]
                              for at, state in zip(places, seen, strict=True))])  # fmt: skip
     for at, state in zip(places, seen, strict=True):
         if len(hidden):
             gap = np.linalg.norm(at[:, None] - hidden[None], axis=2).min(axis=1)
             state[(state == sight.SURE) & (gap < NEAR)] = sight.UNSURE
-    return Segments(ends, np.full((len(ends), 2), -1), seen, np.zeros((0, 2)))
+    return Segments(ends, np.full((len(ends), 2), -1), seen, np.zeros((0, 2)),
+                    np.zeros(len(ends)))  # fmt: skip
 
 
 def _bulging(found: Creases, lines: Silhouettes, eye: np.ndarray) -> np.ndarray:
@@ -158,7 +162,7 @@ def _bulging(found: Creases, lines: Silhouettes, eye: np.ndarray) -> np.ndarray:
     return (gradient * way).sum(axis=1) / np.maximum(sizes, 1e-300)
 
 
-def _places(ends: np.ndarray) -> np.ndarray:
+def places_of(ends: np.ndarray) -> np.ndarray:
     count = max(int(np.ceil(np.linalg.norm(ends[1, :2] - ends[0, :2]) / STEP)), 1)
     share = ((np.arange(count) + 0.5) / count)[:, None]
     return ends[0] * (1 - share) + ends[1] * share

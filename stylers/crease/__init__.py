@@ -42,7 +42,11 @@ _NEAREST = State(depth="less", writes_depth=True, blend="off")
 
 @dataclass(frozen=True)
 class Crease(Styler):
-    """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012)."""
+    """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012).
+
+    Verifiers draw what flags draw, but where a side that is no crease fits the differences at both
+    its ends: diagonals of squares in planes along the x axis, of which a verifier is the product.
+    """
 
     name: ClassVar[str] = "crease"
 

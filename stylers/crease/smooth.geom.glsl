@@ -4,6 +4,8 @@
 
 layout(triangle_strip, max_vertices = 12) out;
 
+uniform int back_faces;  // 1: they alone hide contours
+
 // As glshim/geometry/smooth_lines.py has them.
 const float BENT = 0.02;    // a vertex normal so far from the triangle's bends it wholly
 const float NEAREST = 0.2;  // share of the way to the viewer that a line is lifted at most
@@ -36,7 +38,7 @@ float lift(int a, int b, int c) {
                         distance(place[c], place[a]));
     vec3 plane = area / size * (dot(area, turn[a] + turn[b] + turn[c]) < 0.0 ? -1.0 : 1.0);
     float bent = max(max(bend(a, plane), bend(b, plane)), bend(c, plane));
-    return max(min(bent / BENT, 1.0) * size / longest, 0.5 * bent * longest);
+    return max(min(bent / BENT, 1.0) * size / longest, bent * longest);
 }
 
 // A point in eye space, moved towards the viewer.
@@ -114,7 +116,10 @@ void main() {
     vec3 rise = cross(v, area) * (toward[2] - toward[0]) + cross(area, u) * (toward[4] - toward[0]);
     vec3 sight = towards(eye, (place[0] + place[2] + place[4]) / 3.0);
     vec3 outwards = normal_at(o, p) + normal_at(q, o);
-    emit(y0, y1, v_before, v_after, by, dot(rise, sight) < 0.0 ? -outwards : outwards);
+    // Where it falls a closed surface lies before its own contour, and no back face before that.
+    bool falls = dot(rise, sight) < 0.0;
+    if (falls && back_faces == 1 && (flags & 1) == 1) return;
+    emit(y0, y1, v_before, v_after, by, falls ? -outwards : outwards);
     if (dot(area, sight) * dot(area, turn[0] + turn[2] + turn[4]) >= 0.0) return;
     // A contour that runs into a crease behind the polygons' own outline leaves a gap up to that.
     vec2 none = vec2(0.0);
