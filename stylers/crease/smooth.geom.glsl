@@ -28,8 +28,14 @@ float bend(int v, vec3 plane) {
     return turn[v] == vec3(0.0) ? BENT : distance(turn[v], plane);
 }
 
+// How far the smooth surface leaves a side, and some more: by how much its normals turn along it.
+float swell(int a, int b) {
+    if (turn[a] == vec3(0.0) || turn[b] == vec3(0.0)) return 0.0;
+    return abs(dot(turn[b] - turn[a], place[b] - place[a]));
+}
+
 // How far, in object units, the smooth surface may lie before a triangle: its width, less where it
-// is hardly bent; of slivers, around poles, what it swells by along them.
+// is hardly bent; of slivers, around poles, by how much it leaves their sides.
 float lift(int a, int b, int c) {
     vec3 area = cross(place[b] - place[a], place[c] - place[a]);
     float size = length(area);
@@ -38,7 +44,8 @@ float lift(int a, int b, int c) {
                         distance(place[c], place[a]));
     vec3 plane = area / size * (dot(area, turn[a] + turn[b] + turn[c]) < 0.0 ? -1.0 : 1.0);
     float bent = max(max(bend(a, plane), bend(b, plane)), bend(c, plane));
-    return max(min(bent / BENT, 1.0) * size / longest, bent * longest);
+    return max(min(bent / BENT, 1.0) * size / longest,
+               max(max(swell(a, b), swell(b, c)), swell(c, a)));
 }
 
 // A point in eye space, moved towards the viewer.
