@@ -116,7 +116,8 @@ void main() {
 
     // The polygons lie about the surface that is meant, before it and behind.
     float by = lift(0, 2, 4);
-    for (int k = 0; k < 6; k += 2) by = max(by, lift(k, k + 1, (k + 2) % 6));
+    for (int k = 0; k < 6; k += 2)
+        if (!crease_between(flags, k)) by = max(by, lift(k, k + 1, (k + 2) % 6));
     by *= pow(abs(determinant(mat3(modelview))), 1.0 / 3.0);
     // Where n.c grows towards the viewer the surface ends on the side of its normal.
     vec3 u = place[2] - place[0], v = place[4] - place[0], area = cross(u, v);
