@@ -22,7 +22,7 @@ from tests import look
 from tests.score import sight, truth
 
 ANGLE = 40.0
-"""Degrees of a crease, the style's default."""
+"""Degrees of a crease."""
 FLAP = 0.15
 """Object units by which polygons may lie before the smooth surface that is meant."""
 CUSP = 0.3
@@ -92,7 +92,7 @@ def crease_lines(batch: PolygonBatch, camera: Camera) -> Segments:
     normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
     found = truth.lines(body, camera, 180.0 - ANGLE, 180.0 + ANGLE)
     kept = [found["ridges"], found["valleys"]]
-    bent = (normals[found["silhouettes"].polygons] ** 1).prod(axis=1).sum(axis=1)
+    bent = normals[found["silhouettes"].polygons].prod(axis=1).sum(axis=1)
     sharp = (found["silhouettes"].polygons[:, 1] < 0) | (bent < np.cos(np.radians(ANGLE)))
     outer = found["silhouettes"]
     fronts = np.repeat((2, 1), (sum(len(one.ends) for one in kept), int(sharp.sum())))
@@ -181,7 +181,7 @@ def _depth_of_a_unit(points: np.ndarray, camera: Camera) -> np.ndarray:
     ndc = (points - (x, y, 0)) / (width, height, 1) * 2 - 1
     eye = np.c_[ndc, np.ones(len(points))] @ inverse.T
     eye = eye[:, :3] / eye[:, 3:]
-    return np.abs(truth.window_space(eye + (0, 0, -1), camera) - truth.window_space(eye, camera)
+    return np.abs(truth.window_space(eye - np.eye(3)[2], camera) - truth.window_space(eye, camera)
                   )[:, 2]  # fmt: skip
 
 
@@ -236,7 +236,7 @@ def band(lines: list[tuple[Segments, float]], depth: np.ndarray) -> Band:
             if len(may):
                 runs = np.split(may, np.flatnonzero(np.diff(may) > 1) + 1)
                 for run in runs:
-                    span = np.clip(t * 0 + (grid - ends[0, :2]) @ way / max(way @ way, 1e-12),
+                    span = np.clip((grid - ends[0, :2]) @ way / max(way @ way, 1e-12),
                                    run[0] / len(seen), (run[-1] + 1) / len(seen))  # fmt: skip
                     far = np.linalg.norm(grid - (ends[0, :2] + span[..., None] * way), axis=2)
                     np.maximum(most[window], np.clip(half + 1.5 - far, 0.0, 1.0),

@@ -148,7 +148,9 @@ class Creases:
             points = self.mesh.positions.take(self.vertices, axis=0)
             around = replace(self.mesh, positions=points, triangles=self.triangles).vertex_normals
         own = self.corner_normals
-        sent = np.repeat(self.mesh.normals, 3, axis=0) if own is None else _known(own.reshape(-1, 3))
+        sent = np.repeat(self.mesh.normals, 3, axis=0)
+        if own is not None:
+            sent = _known(own.reshape(-1, 3))
         corners, count = self.triangles.ravel(), len(self.vertices)
         axes = [np.bincount(corners, weights=axis, minlength=count) for axis in sent.T]
         total: Doubles = np.stack(axes, axis=1).astype(np.float64)

@@ -62,7 +62,7 @@ class Crease(Styler):
         choices=("either", "normals", "angle"),
     )
     angle: float = option(
-        40.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
+        60.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
         unit="degrees",
     )  # fmt: skip
     least_angle: float = option(

@@ -30,7 +30,7 @@ def cameras(count=6):
 
 
 def wide(width, **options):
-    return Crease(crease_width=width, silhouette_width=width, **options)
+    return Crease(crease_width=width, silhouette_width=width, angle=creased.ANGLE, **options)
 
 
 @pytest.mark.parametrize("name", creased.MESHES)

@@ -368,6 +368,35 @@ def test_moved_is_like_fresh(name: str, rule: str) -> None:
     assert was.moved(other).normals.shape == (len(was.moved(other).vertices), 3)
 
 
+def book(degrees: float) -> np.ndarray:
+    """Two pages that turn by so much at their back, along the y axis."""
+    turn = np.radians(degrees)
+    far = (np.cos(turn), np.sin(turn))
+    return np.array([(-1, 0, 0), (-1, 1, 0), (0, 0, 0), (0, 1, 0),
+                     (far[0], 0, far[1]), (far[0], 1, far[1])], np.float32)  # fmt: skip
+
+
+def test_creases_by_angle_come_and_go_at_the_angle_and_those_by_normals_stay() -> None:
+    first = mesh(look.batch(book(0.0), [[0, 2, 3, 1], [2, 4, 5, 3]]))
+    parted = np.repeat(first.normals[:, None], 3, axis=1).astype(np.float32)
+    parted[2:] += (0.5, 0.0, 0.0)  # the second page has normals of its own
+    held = {
+        "angle": creases(first, angle=np.radians(40.0)),
+        "normals": creases(first, parted, rule="normals", least=0.0),
+    }
+    for degrees in (10.0, 39.9, 40.1, 80.0, 40.1, 39.9, 0.0, 60.0):
+        m = first.moved(book(degrees)[first.weld])
+        assert m is not None
+        for rule in held:
+            held[rule] = held[rule].moved(m, parted if rule == "normals" else None)
+        inner = {rule: int((one.sides & ~one.open).sum()) for rule, one in held.items()}
+        assert inner == {"angle": 2 if degrees > 40.0 else 0, "normals": 2}
+        fresh = creases(m, angle=np.radians(40.0))
+        assert np.array_equal(held["angle"].sides, fresh.sides)
+        assert np.allclose(held["angle"].differences[held["angle"].triangles],
+                           fresh.differences[fresh.triangles])  # fmt: skip
+
+
 def test_moved_keeps_what_can_be_kept() -> None:
     m = MESHES["torus"]
     was = creases(m)
