@@ -180,7 +180,7 @@ def test_smooth_silhouettes(run, name, seen, width):
     ref = quads.clip[shown]
     # Back from the corners to the ends.
     centre = (ref[..., :2] / ref[..., 3:] * HALF).reshape(-1, 4, 2)
-    right, left = quads.reach[shown].T
+    right = quads.reach[shown, 0]
     u = quads.bisectors[shown]
     ends = np.stack((centre[:, 0] + right[:, None] * u[:, 0],
                      centre[:, 1] + right[:, None] * u[:, 1]), axis=1)  # fmt: skip

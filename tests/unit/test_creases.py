@@ -387,8 +387,8 @@ def test_creases_by_angle_come_and_go_at_the_angle_and_those_by_normals_stay() -
     for degrees in (10.0, 39.9, 40.1, 80.0, 40.1, 39.9, 0.0, 60.0):
         m = first.moved(book(degrees)[first.weld])
         assert m is not None
-        for rule in held:
-            held[rule] = held[rule].moved(m, parted if rule == "normals" else None)
+        held = {rule: one.moved(m, parted if rule == "normals" else None)
+                for rule, one in held.items()}  # fmt: skip
         inner = {rule: int((one.sides & ~one.open).sum()) for rule, one in held.items()}
         assert inner == {"angle": 2 if degrees > 40.0 else 0, "normals": 2}
         fresh = creases(m, angle=np.radians(40.0))
