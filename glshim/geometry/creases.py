@@ -38,6 +38,8 @@ INVALID = np.float32(2.0)
 """The verifier of a vertex that no crease touches; those of others are sines, -1..1."""
 _ALIKE = 1e-3
 """Unit normals no further apart than this are one."""
+_POINTED = 0.82
+"""A vertex has no normal where the mean of unit vectors around it is shorter: 35 degrees off."""
 _UNIT = 1e-3
 """By how much the length of a neighbour's direction may differ from 1 (float32)."""
 _SINE = 1e-3
@@ -135,7 +137,9 @@ class Creases:
 
         The mean of what the app sent at the fan's corners, else that of the triangles' normals
         weighted by their angles. An app's normal that points to the other side is turned round:
-        silhouettes are zeros of n.c, whose sign must not jump within a surface.
+        silhouettes are zeros of n.c, whose sign must not jump within a surface. At the tip of a
+        cone, where what is sent or the triangles point all around, there is none: so n.c is zero
+        there, and silhouettes run into it.
         """
         if self.triangles is self.mesh.triangles:
             around = self.mesh.vertex_normals
@@ -143,16 +147,21 @@ class Creases:
             # Of this other mesh only positions and triangles are looked at.
             points = self.mesh.positions.take(self.vertices, axis=0)
             around = replace(self.mesh, positions=points, triangles=self.triangles).vertex_normals
-        if self.corner_normals is None:
-            return around.astype(np.float32)
-        sent = _known(self.corner_normals.reshape(-1, 3))
+        own = self.corner_normals
+        sent = np.repeat(self.mesh.normals, 3, axis=0)
+        if own is not None:
+            sent = _known(own.reshape(-1, 3))
         corners, count = self.triangles.ravel(), len(self.vertices)
         axes = [np.bincount(corners, weights=axis, minlength=count) for axis in sent.T]
         total: Doubles = np.stack(axes, axis=1).astype(np.float64)
-        # Normals that cancel out, but for rounding, say nothing.
         length = np.sqrt(dot(total, total))
-        total = np.where((dot(total, around) < 0.0)[:, None], -total, total)
-        found = np.where((length > _ALIKE)[:, None], unit(total), around)
+        found = around
+        if own is not None:
+            total = np.where((dot(total, around) < 0.0)[:, None], -total, total)
+            # Normals that cancel out, but for rounding, say nothing.
+            found = np.where((length > _ALIKE)[:, None], unit(total), around)
+        said = np.bincount(corners, weights=sent.any(axis=1), minlength=count)
+        found = np.where((length < _POINTED * said)[:, None], 0.0, found)
         return found.astype(np.float32)
 
     @property

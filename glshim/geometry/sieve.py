@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from glshim.geometry.creases import Creases
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, EdgeMesh
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.outward import outward
 from glshim.geometry.vectors import dot
 
 Ints = NDArray[np.int32]
@@ -128,6 +129,8 @@ class TriangleSieve:
         self._facing = Facing(mesh)
         self._creased = np.flatnonzero(creases.sides.any(axis=1))
         self._sheet = ~mesh.closed[self._creased]
+        inside_out = outward(mesh)[mesh.triangles[self._creased, 0]] < 0.0
+        self._away = np.where(inside_out, np.uint8(_FRONT), np.uint8(_BACK))
         points = mesh.positions[creases.vertices].astype(np.float64)
         products = -dot(creases.normals.astype(np.float64), points)
         self._planes = np.ascontiguousarray(np.c_[creases.normals, products].T, np.float32)
@@ -140,7 +143,7 @@ class TriangleSieve:
         found = np.zeros(self._triangles.shape[1], np.bool_)
         if wanted & CREASE:
             facing = self._facing.seen(eye).take(self._creased)
-            found[self._creased] = self._sheet | (facing != _BACK)
+            found[self._creased] = self._sheet | (facing != self._away)
         if wanted & SMOOTH:
             value = _at(eye, self._planes)
             slack = np.float32(_ROUNDING * reach_of(eye, self._radius))

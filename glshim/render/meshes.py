@@ -168,7 +168,9 @@ def _creased(mesh: Mesh, found: Creases) -> Resident:
     floats: contours are their zeros."""
     edges = edge_mesh(mesh)
     bits = (1, 2, 4) @ found.sides.T | 8 * ((1, 2, 4) @ found.open.T)
-    turned = np.where(outward(mesh) < 0.0, -1.0, 1.0)[found.vertices]
+    inside_out = outward(mesh) < 0.0
+    turned = np.where(inside_out, -1.0, 1.0)[found.vertices]
+    bits += 64 * inside_out[mesh.triangles[:, 0]]
     return _uploaded(mesh, edges, found, {
         "mesh_positions": _four(mesh.positions[found.vertices]),
         "mesh_normals": _four(found.normals * turned[:, None]),

@@ -42,7 +42,11 @@ _NEAREST = State(depth="less", writes_depth=True, blend="off")
 
 @dataclass(frozen=True)
 class Crease(Styler):
-    """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012)."""
+    """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012).
+
+    Verifiers draw what flags draw, but where a side that is no crease fits the differences at both
+    its ends: diagonals of squares in planes along the x axis, of which a verifier is the product.
+    """
 
     name: ClassVar[str] = "crease"
 
@@ -58,7 +62,7 @@ class Crease(Styler):
         choices=("either", "normals", "angle"),
     )
     angle: float = option(
-        40.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
+        60.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
         unit="degrees",
     )  # fmt: skip
     least_angle: float = option(
@@ -141,6 +145,7 @@ class Crease(Styler):
             "spine": int(self.spine),
             "back_faces": int(self.hidden_by == "back_faces"),
             "verified": int(self.indicator == "verifiers"),
+            "cuts": int(textured > 0),
             "textured": textured,
             "repeat": repeat,
             "hidden_share": 0.0,

@@ -16,7 +16,7 @@ uniform float repeat;       // pixels after which the texture repeats
 const float LEAN = 1.5;     // pixels' worth of depth by which a surface may rise in each pixel
 
 noperspective in vec3 spot;
-flat in ivec3 made;
+flat in int on_surface;
 
 // Share of what is drawn of a place behind so much depth (section 5).
 float soft(float behind, float most) {
@@ -25,7 +25,7 @@ float soft(float behind, float most) {
 }
 
 float shown(float on) {
-    if (made.z == 1) {
+    if (on_surface == 1) {
         // Where the surface is bent it rises out of the triangle's plane.
         float most = bias + blur + (spine == 1 ? LEAN * abs(spot.y) : 0.0);
         float share = soft(spot.z - finished(gl_FragCoord.xy), most);
@@ -40,9 +40,8 @@ float shown(float on) {
 
 void main() {
     take_stroke();
-    float on = clamp(spot.x, 0.0, span), past = spot.x - on;
-    bool capped = past < 0.0 ? made.x == 0 : made.y == 0;
-    float d = capped ? length(vec2(past, spot.y)) : abs(spot.y);
+    // Joined lines share the circle around their join as well.
+    float on = clamp(spot.x, 0.0, span), d = length(vec2(spot.x - on, spot.y));
     float cover = clamp(half_width + 0.5 - d, 0.0, 1.0);
     vec4 drawn = vec4(ink, 1.0);
     if (textured > 0) {
@@ -52,7 +51,7 @@ void main() {
         vec4 found = texture(stroke, vec2(dot(gl_FragCoord.xy, along_it) / repeat, v));
         drawn = textured == 2 ? found : vec4(ink * found.a, found.a);
     }
-    cover *= drawn.a > 0.0 ? shown(on) : 0.0;
+    if (cover > 0.0) cover *= drawn.a > 0.0 ? shown(on) : 0.0;
     if (cover <= 0.0) discard;
     colour = cover * drawn;
 }

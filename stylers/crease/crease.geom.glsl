@@ -22,12 +22,6 @@ bool says_crease(vec4 at_a, vec4 at_b, vec3 e) {
         && abs(e.y * e_after.z - e.z * e_after.y - at_b.w) < SINE;
 }
 
-// The direction on the screen of a direction in object space, at a point.
-vec2 on_the_screen(vec3 way, vec3 point) {
-    vec4 here = clip(point), flow = projection * vec4(mat3(modelview) * way, 0.0);
-    return here.w > 0.0 ? unit((flow.xy * here.w - here.xy * flow.w) * viewport.zw) : vec2(0.0);
-}
-
 // Depth a pixel on the plane through a line and a corner.
 vec2 slope_of(vec3 eye_a, vec3 eye_b, vec3 point, float deep) {
     vec3 area = cross(eye_b - eye_a, in_eye(point) - eye_a);
@@ -66,16 +60,16 @@ void emit(int a, int b, int c, int d, bool contour, int kind) {
     // The outer side of a bend is where a bisector grows long.
     l.mitre_a = mitre(l, v_before, dot(l.n, v_before) > 0.0, l.joined_a);
     l.mitre_b = mitre(l, v_after, dot(l.n, v_after) < 0.0, l.joined_b);
-    put(l, -half_width - 1.0, 0.0, planes, kind, true, deep);
+    put(l, -half_width - 1.0, JOINT, planes, kind, true, deep);
     if (!contour) return;
     l.mitre_a = l.mitre_b = l.n;
     l.joined_a = l.joined_b = false;
-    put(l, 0.0, half_width + 1.0, planes, kind, false, deep);
+    put(l, -JOINT, half_width + 1.0, planes, kind, false, deep);
 }
 
 void main() {
     int flags = triangle_at(element()).w;
-    bool closed = (flags & 1) == 1, front = is_front(0, 2, 4);
+    bool closed = (flags & 1) == 1, front = is_front(flags, 0, 2, 4);
     if (closed && !front) return;
     for (int k = 0; k < 3; ++k) {
         int a = 2 * k, across = a + 1, b = (a + 2) % 6, c = (a + 4) % 6;
@@ -83,7 +77,7 @@ void main() {
         if (verified == 1)
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
         if (!crease) continue;
-        bool contour = open || (front && !is_front(a, across, b));
+        bool contour = open || (front && !is_front(flags, a, across, b));
         emit(a, b, c, across, contour, open ? FIN : contour ? RING : RIDGE);
     }
 }

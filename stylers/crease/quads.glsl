@@ -12,27 +12,32 @@ in vec3 turn[];
 in vec4 difference[];
 
 uniform float half_width;      // pixels
+uniform int cuts;              // 1: ends are cut along bisectors, for textures; 0: they are round
 
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
-flat out ivec3 made;           // whether the ends are joined to others; whether it lies on a surface
+flat out int on_surface;       // whether the quad lies on its triangle
 
+const float EDGE_ON = 1e-5;    // cosine between normal and line of sight
+const float STEEP = 2.0;       // pixels' worth of depth a pixel by which a quad recedes at most
 const float JOINT = 0.05;      // pixels by which quads overlap against rounding
-const float HAIRPIN = 0.02;    // 1 + cosine of a turn that no bisector serves, on the inner side
-const float SHARPEST = 0.5;    // the same on the outer side: bisectors up to two widths long
+const float HAIRPIN = 1e-4;    // 1 + cosine of a turn that no bisector serves, on the inner side
+const float SHARPEST = 0.125;  // the same on the outer side: bisectors up to four widths long
 
 bool before(vec3 p, vec3 q) {
     return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-// Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
-// other: the corners are taken in one order, so that rounding says the same.
-bool is_front(int a, int b, int c) {
-    bool even = true;
+// Whether a triangle turns its outside to the viewer; one that is seen edge-on does not. Flags: those
+// of a triangle of its component. Both triangles at an edge ask for each other: the corners are taken
+// in one order, so that rounding says the same.
+bool is_front(int flags, int a, int b, int c) {
+    bool even = (flags & 128) == 0;
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
     if (before(place[c], place[b])) { int i = b; b = c; c = i; even = !even; }
     if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
-    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
-    return (dot(area, towards(eye, place[a])) > 0.0) == even;
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]), sight = towards(eye, place[a]);
+    float facing_us = dot(area, sight) * (even ? 1.0 : -1.0);
+    return facing_us > EDGE_ON * length(area) * length(sight);
 }
 
 vec3 in_eye(vec3 point) { return (modelview * vec4(point, 1.0)).xyz; }
@@ -42,6 +47,12 @@ vec2 perpendicular(vec2 v) { return vec2(v.y, -v.x); }
 vec2 unit(vec2 v) {
     float size = length(v);
     return size > 0.0 ? v / size : vec2(0.0);
+}
+
+// The direction on the screen of a direction in object space, at a point.
+vec2 on_the_screen(vec3 way, vec3 point) {
+    vec4 here = clip(point), flow = projection * vec4(mat3(modelview) * way, 0.0);
+    return here.w > 0.0 ? unit((flow.xy * here.w - here.xy * flow.w) * viewport.zw) : vec2(0.0);
 }
 
 // A line on the screen and what it is joined to.
@@ -57,14 +68,16 @@ struct Line {
 vec2 mitre(Line l, vec2 neighbour, bool left_side_only, out bool joined) {
     vec2 other = perpendicular(neighbour);
     float turned = 1.0 + dot(other, l.n);
-    joined = neighbour != vec2(0.0) && turned > (left_side_only ? HAIRPIN : SHARPEST);
+    joined = cuts == 1 && neighbour != vec2(0.0) && turned > (left_side_only ? HAIRPIN : SHARPEST);
     return joined ? (other + l.n) / turned : l.n;
 }
 
 // A quad between two distances outwards from a line, in the plane of the triangle on its left or in
 // that of the screen. planes: depths a pixel on the triangles on the left and on the right.
-void put(Line l, float low, float high, vec4 planes, int kind, bool on_surface, float deep) {
+void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, float deep) {
     float slack = slack_of(kind, deep, abs(l.to.z - l.from.z) / l.size);
+    // Of a triangle seen edge-on the quad would reach far behind whatever is drawn beyond it.
+    vec2 own = planes.xy + l.n * max(0.0, -STEEP * deep - dot(planes.xy, l.n));
     vec2 lean = vec2(dot(l.mitre_a, l.v), dot(l.mitre_b, l.v));
     float cap = max(-low, high);
     float past_a = l.joined_a ? JOINT : cap, past_b = l.joined_b ? JOINT : cap;
@@ -81,8 +94,8 @@ void put(Line l, float low, float high, vec4 planes, int kind, bool on_surface, 
         slopes = planes;
         extent = vec3(low, high, float(kind));
         grain = vec2(deep, slack + hair + blur * deep);
-        spot = vec3(t, s, l.from.z + dot(planes.xy, aside));
-        made = ivec3(l.joined_a, l.joined_b, on_surface);
+        spot = vec3(t, s, l.from.z + dot(own, aside));
+        on_surface = int(flat_on);
         gl_Position = on_screen(l.from.xy + aside);
         EmitVertex();
     }

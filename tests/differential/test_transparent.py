@@ -28,6 +28,7 @@ STYLES = (
     "raskar", "edge_mesh:marked=on,smooth=on,suggestive=on,texture=pen,hidden=dashed",
     "edge_mesh:strokes=half,outer=on,hidden=dimmed", "shadow:light=fixed", "fur:layers=2",
     "fins", "fins:fill=cel,joints=overhang",
+    "crease", "crease:texture=pen,hidden_by=back_faces,indicator=verifiers",
     "two_pass:fill=#ff8000",
 )  # fmt: skip
 

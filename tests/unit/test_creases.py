@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from glshim.geometry.crease_quads import silhouettes
 from glshim.geometry.creases import INVALID, Creases, creases, decoded
 from glshim.geometry.recovery.mesh import Mesh, mesh
 from glshim.geometry.smoothing_groups import by_traversal, within_adjacency
@@ -205,8 +206,41 @@ def test_closed_fans_that_share_a_vertex_are_two_vertices() -> None:
     assert not found.sides.any()
     assert len(found.vertices) == len(m.positions) + 1
     tips = np.flatnonzero(found.vertices == 0)
-    assert np.allclose(np.abs(found.normals[tips, 2]), 1.0, atol=1e-6)
-    assert found.normals[tips, 2].sum() == pytest.approx(0.0, abs=1e-6)
+    assert len(tips) == 2
+    assert not found.normals[tips].any()  # sharp ones, as that of a cone
+
+
+def cone(n: int, half_angle: float) -> Mesh:
+    """With its tip at vertex n."""
+    ring = [(np.cos(a), np.sin(a), 0.0) for a in np.arange(n) * 2 * np.pi / n]
+    tip = (0.0, 0.0, 1.0 / np.tan(half_angle))
+    sides = [[k, (k + 1) % n, n] for k in range(n)]
+    return mesh(look.batch([*ring, tip], [*sides, list(range(n))[::-1]]))
+
+
+def test_the_tip_of_a_cone_has_no_normal_unless_it_is_blunt_or_the_app_says_so() -> None:
+    sharp, blunt = cone(24, np.radians(40.0)), cone(24, np.radians(70.0))
+    tip = 24
+    assert not creases(sharp, rule="angle", angle=1.0).normals[tip].any()
+    assert np.allclose(creases(blunt, rule="angle", angle=1.0).normals[tip], (0, 0, 1), atol=1e-6)
+    at_tip = sharp.triangles == tip
+    sent = np.repeat(sharp.normals[:, None], 3, axis=1).astype(np.float32)
+    assert not creases(sharp, sent, rule="angle", angle=1.0).normals[tip].any()
+    sent[at_tip] = (0.0, 0.0, 1.0)
+    rounded = creases(sharp, sent, rule="angle", angle=1.0)
+    assert np.allclose(rounded.normals[tip], (0, 0, 1), atol=1e-6)
+
+
+def test_silhouettes_of_a_cone_run_from_its_rim_to_its_tip() -> None:
+    m = cone(24, np.radians(30.0))
+    found = creases(m, rule="angle", angle=1.0)
+    lines = silhouettes(found, np.array((1.0, 0.3, 0.2, 0.0)))
+    size = np.linalg.norm(lines.ends[:, 1] - lines.ends[:, 0], axis=1)
+    ends = lines.ends[size > 1e-9]
+    assert len(ends) == 2
+    tip = m.positions[24]
+    assert np.allclose(np.sort(np.linalg.norm(ends - tip, axis=2), axis=1)[:, 0], 0.0, atol=1e-9)
+    assert np.allclose(np.sort(ends[:, :, 2], axis=1)[:, 0], 0.0, atol=1e-9)
 
 
 def test_a_vertex_of_a_thousand_triangles() -> None:
@@ -332,6 +366,35 @@ def test_moved_is_like_fresh(name: str, rule: str) -> None:
     if rule == "normals" and was.criterion.least == 0.0:
         assert found.triangles is was.triangles
     assert was.moved(other).normals.shape == (len(was.moved(other).vertices), 3)
+
+
+def book(degrees: float) -> np.ndarray:
+    """Two pages that turn by so much at their back, along the y axis."""
+    turn = np.radians(degrees)
+    far = (np.cos(turn), np.sin(turn))
+    return np.array([(-1, 0, 0), (-1, 1, 0), (0, 0, 0), (0, 1, 0),
+                     (far[0], 0, far[1]), (far[0], 1, far[1])], np.float32)  # fmt: skip
+
+
+def test_creases_by_angle_come_and_go_at_the_angle_and_those_by_normals_stay() -> None:
+    first = mesh(look.batch(book(0.0), [[0, 2, 3, 1], [2, 4, 5, 3]]))
+    parted = np.repeat(first.normals[:, None], 3, axis=1).astype(np.float32)
+    parted[2:] += (0.5, 0.0, 0.0)  # the second page has normals of its own
+    held = {
+        "angle": creases(first, angle=np.radians(40.0)),
+        "normals": creases(first, parted, rule="normals", least=0.0),
+    }
+    for degrees in (10.0, 39.9, 40.1, 80.0, 40.1, 39.9, 0.0, 60.0):
+        m = first.moved(book(degrees)[first.weld])
+        assert m is not None
+        held = {rule: one.moved(m, parted if rule == "normals" else None)
+                for rule, one in held.items()}  # fmt: skip
+        inner = {rule: int((one.sides & ~one.open).sum()) for rule, one in held.items()}
+        assert inner == {"angle": 2 if degrees > 40.0 else 0, "normals": 2}
+        fresh = creases(m, angle=np.radians(40.0))
+        assert np.array_equal(held["angle"].sides, fresh.sides)
+        assert np.allclose(held["angle"].differences[held["angle"].triangles],
+                           fresh.differences[fresh.triangles])  # fmt: skip
 
 
 def test_moved_keeps_what_can_be_kept() -> None:

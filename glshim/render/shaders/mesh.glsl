@@ -8,7 +8,8 @@ uniform sampler2D mesh_positions;   // object space
 uniform sampler2D mesh_normals;     // out of the object, where it has an outside
 uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
 uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed; with
-                                    // creases also 2, 4, 8: of sides; 16, 32, 64: open sides
+                                    // creases also 2, 4, 8: of sides; 16, 32, 64: open sides;
+                                    // 128: it winds about what is in
 uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wind about what is
                                     // out, -1: about what is in, 0: a sheet has no outside
 uniform sampler2D mesh_creases;     // crease differences and verifiers (glshim/geometry/creases.py)
