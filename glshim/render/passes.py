@@ -215,6 +215,8 @@ class Runner:
         seen = seen_from(camera, one.light if program.wants("light") else None)
         if resident is not None and sieve is not None:
             count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
+            if not count:
+                return None
         for values in (inputs, seen, _UNITS, {"vertices_each": each}):
             program.set(values)
         program.set(one.uniforms)

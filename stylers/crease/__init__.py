@@ -18,7 +18,8 @@ from glshim.geometry.sieve import CREASE, SMOOTH
 from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from stylers.strokes import MADE, made
+from stylers import options
+from stylers.strokes import made
 
 _HERE = files(__package__)
 _STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
@@ -28,13 +29,22 @@ def _text(name: str) -> str:
     return (_HERE / name).read_text("utf-8")
 
 
-def _shader(name: str) -> MeshShader:
+def _shaders(name: str) -> tuple[MeshShader, MeshShader]:
+    """For lines, and for those of a few pixels, whose strokes stay in the geometry shader."""
     geometry = _STROKE + _text("quads.glsl") + _text(f"{name}.geom.glsl")
+    short = "#define SHORT_LINES\n#undef PASSED\n#define PASSED\n" + geometry
     fragment = _STROKE + _text("crease.frag.glsl")
-    return MeshShader(f"crease {name}", _text("record.vert.glsl"), fragment, geometry)
+    record = _text("record.vert.glsl")
+    return (
+        MeshShader(f"crease {name}", record, fragment, geometry),
+        MeshShader(f"crease short {name}", record, _text("short.frag.glsl"), short),
+    )
 
 
-CREASES, SILHOUETTES = _shader("crease"), _shader("smooth")
+CREASES, SILHOUETTES = _shaders("crease"), _shaders("smooth")
+_SHORTEST = 4.0
+"""Pixels of the longest short line, as in the shader. Most of what a dense mesh gives is shorter;
+asking for each of its pixels whether it is seen is what costs a driver in software most."""
 BACK = MeshShader("crease back", _text("back.vert.glsl"), _text("back.frag.glsl"))
 _INK = State(depth="always", blend="greatest")
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
@@ -90,31 +100,18 @@ class Crease(Styler):
         help="what hides silhouettes: all surfaces, or as in the paper those that look away",
         choices=("surfaces", "back_faces"),
     )
-    texture: str = option(
-        "none",
-        help="what lines are drawn with; dark is ink in a grey picture, others keep colours",
-        choices=("none", *MADE),
-        picture=True,
+    texture: str = options.texture("lines")
+    texture_length: float = options.texture_length("a line")
+    tolerance: float = option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
     )
-    texture_length: float = option(
-        0.0, help="length of a line after which the texture repeats; 0: what suits it", low=0.0,
-        high=4096.0, unit="px",
-    )  # fmt: skip
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = option(  # noqa: RUF009
-        "app", help="the surfaces: as the app drew them, none, or flat in a colour",
-        choices=("app", "none"), colour=True,
-    )  # fmt: skip
+    fill: str | Colour = options.fill()  # noqa: RUF009
 
     @property
     def wants_normals(self) -> bool:
         """Creases are where they differ, and silhouettes where they turn away."""
         return True
-
-    @property
-    def surface(self) -> str | Colour:
-        """The option `fill`."""
-        return self.fill
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Triangles with adjacency, of which geometry shaders make the quads."""
@@ -124,19 +121,27 @@ class Crease(Styler):
         if self.silhouettes:
             if self.hidden_by == "back_faces":
                 yield Pass(BACK, found, "surface", state=_NEAREST, buffer=True,
-                           creases=self._criterion)  # fmt: skip
-            yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH)
+                           creases=self._criterion, tolerance=self.tolerance)  # fmt: skip
+            plain = self.hidden_by == "surfaces"
+            yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH, plain)
         if self.creases:
-            yield from self._lines(CREASES, found, self.crease_width, CREASE)
+            yield from self._lines(CREASES, found, self.crease_width, CREASE, self.spine)
 
     @property
     def _criterion(self) -> Criterion:
         return Criterion(cast(Any, self.rule), radians(self.angle), radians(self.least_angle))
 
     def _lines(
-        self, shader: MeshShader, found: tuple[Body, ...], width: float, wanted: int
+        self,
+        shaders: tuple[MeshShader, MeshShader],
+        found: tuple[Body, ...],
+        width: float,
+        wanted: int,
+        plain: bool,
     ) -> Iterator[Pass]:
+        """Lines of a kind, the short ones apart where one answer says whether they are seen."""
         image, repeat, textured = self._stroke(width)
+        apart = plain and not textured
         uniforms: dict[str, Uniform] = {
             "half_width": width / 2.0,
             "ink": self.ink,
@@ -146,14 +151,17 @@ class Crease(Styler):
             "back_faces": int(self.hidden_by == "back_faces"),
             "verified": int(self.indicator == "verifiers"),
             "cuts": int(textured > 0),
+            "apart": int(apart),
             "textured": textured,
             "repeat": repeat,
             "hidden_share": 0.0,
         }
-        yield Pass(
-            shader, found, "adjacency", state=_INK, uniforms=uniforms, image=image,
-            sieve=Sieve(wanted), creases=self._criterion,
-        )  # fmt: skip
+        for short, shader in enumerate(shaders if apart else shaders[:1]):
+            yield Pass(
+                shader, found, "adjacency", state=_INK, uniforms=uniforms, image=image,
+                sieve=Sieve(wanted), creases=self._criterion, tolerance=self.tolerance,
+                least=_SHORTEST if apart and not short else 0.0,
+            )  # fmt: skip
 
     def _stroke(self, width: float) -> tuple[Image | None, float, int]:
         """The texture, the pixels after which it repeats, and 2 where it has its own colours."""

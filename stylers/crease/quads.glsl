@@ -14,8 +14,16 @@ in vec4 difference[];
 uniform float half_width;      // pixels
 uniform int cuts;              // 1: ends are cut along bisectors, for textures; 0: they are round
 
+uniform int apart;             // 1: short lines have a shader of their own (SHORT_LINES)
+
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
+#ifdef SHORT_LINES
+flat out vec3 edge;            // its length, depth of a pixel, 1 where the quad lies on its triangle
+#else
 flat out int on_surface;       // whether the quad lies on its triangle
+#endif
+
+const float SHORT = 4.0;       // pixels: `seen` asks no further, so one answer holds for all of it
 
 const float EDGE_ON = 1e-5;    // cosine between normal and line of sight
 const float STEEP = 2.0;       // pixels' worth of depth a pixel by which a quad recedes at most
@@ -80,6 +88,17 @@ void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, flo
     vec2 own = planes.xy + l.n * max(0.0, -STEEP * deep - dot(planes.xy, l.n));
     vec2 lean = vec2(dot(l.mitre_a, l.v), dot(l.mitre_b, l.v));
     float cap = max(-low, high);
+    line_a = l.from;
+    line_b = l.to;
+    slopes = planes;
+    extent = vec3(low, high, float(kind));
+    grain = vec2(deep, slack + hair + blur * deep);
+    take_stroke();
+#ifdef SHORT_LINES
+    if (l.size > SHORT || !seen(0.5 * l.size)) return;
+#else
+    if (apart == 1 && l.size <= SHORT) return;
+#endif
     float past_a = l.joined_a ? JOINT : cap, past_b = l.joined_b ? JOINT : cap;
     for (int i = 0; i < 4; ++i) {
         float s = (i & 1) == 0 ? low : high;
@@ -88,14 +107,18 @@ void put(Line l, float low, float high, vec4 planes, int kind, bool flat_on, flo
         if (room < 0.0) s *= 1.0 + room / (l.size + past_a + past_b - room);
         float t = i < 2 ? s * lean.x - past_a : l.size + s * lean.y + past_b;
         vec2 aside = t * l.v + s * l.n;
+#ifdef SHORT_LINES
+        edge = vec3(l.size, deep, float(flat_on));
+#else
         line_a = l.from;
         line_b = l.to;
         onwards = repeats = vec2(0.0);
         slopes = planes;
         extent = vec3(low, high, float(kind));
         grain = vec2(deep, slack + hair + blur * deep);
-        spot = vec3(t, s, l.from.z + dot(own, aside));
         on_surface = int(flat_on);
+#endif
+        spot = vec3(t, s, l.from.z + dot(own, aside));
         gl_Position = on_screen(l.from.xy + aside);
         EmitVertex();
     }

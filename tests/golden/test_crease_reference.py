@@ -98,7 +98,7 @@ def expected(line, bisectors, joined, width):
 @pytest.mark.parametrize("width", [3.0, 24.0])
 def test_halves_of_creases(run, name, seen, width):
     batch, camera = creased.MESHES[name](), CAMERAS[seen]
-    corners, spots, extent, lines = emitted(run, batch, camera, CREASES, width)
+    corners, spots, extent, lines = emitted(run, batch, camera, CREASES[0], width)
     mine = extent[:, 1] < 1.0  # the halves in the planes of triangles
     found = creases(recovered(batch))
     matrix = camera.projection @ camera.modelview
@@ -170,7 +170,7 @@ def plane_slopes(mesh, triangles, camera):
 @pytest.mark.parametrize("width", [3.0, 24.0])
 def test_smooth_silhouettes(run, name, seen, width):
     batch, camera = creased.MESHES[name](), CAMERAS[seen]
-    corners, _, _, lines = emitted(run, batch, camera, SILHOUETTES, width)
+    corners, _, _, lines = emitted(run, batch, camera, SILHOUETTES[0], width)
     found = creases(recovered(batch))
     eye = np.array(seen_from(camera, (0.0, 0.0, 1.0, 0.0))["eye"])
     smooth = silhouettes(found, eye)
