@@ -142,8 +142,8 @@ def table(
     found: dict[str, dict[str, Flicker]] = {}
     with look.window(SIZE, SIZE):
         backend = Backend.attach()
-        for mesh, batch in made.items():
-            batch = replace(batch, key=mesh)
+        for mesh, given in made.items():
+            batch = replace(given, key=mesh)
             views = list(cameras(frames, step))
             rows = found[mesh] = {}
             for name, style in STYLES.items():

@@ -6,6 +6,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
+from glshim.geometry.recovery.outward import way_out
 from glshim.notices import say_once
 from glshim.render.arrays import fans, put_the_apps_arrays_away
 from glshim.render.cameras import MOST_CLIP_PLANES, scissor, stencil
@@ -43,7 +45,8 @@ _SHADED = (
 )  # fmt: skip
 """What changes colours or lines of the fixed function, besides what `plainly` turns off."""
 
-_Fans = tuple[NDArray[np.float32], NDArray[np.uint8]]
+_Fans = tuple[NDArray[np.float32], NDArray[np.uint8], float]
+"""Points, edge flags and the way out (`way_out`)."""
 
 
 class FixedPen:
@@ -102,10 +105,13 @@ class FixedPen:
             self._draw(draw, draw.ink)
 
     def _draw(self, draw: BackFaces, colour: Colour) -> None:
-        points, flags = self._fans(draw.batch)
+        points, flags, way = self._fans(draw.batch)
         if not len(points):
             return
-        _look_through(draw.camera)
+        camera = draw.camera
+        if way != 0.0:  # GLUT's teapot winds about what is in, and says nothing
+            camera = replace(camera, front_ccw=(way > 0.0) != camera.mirrored)
+        _look_through(camera)
         rgba = np.array((*colour, 1.0), np.float32)
         gl.glColor4fv(rgba.ctypes.data)
         gl.glVertexPointer(3, _FLOAT, 0, points.ctypes.data)
@@ -116,12 +122,12 @@ class FixedPen:
         gl.glDisableClientState(_EDGE_FLAGS)
 
     def _fans(self, batch: PolygonBatch) -> _Fans:
-        if batch.key is None:
-            return fans(batch)
-        known = self._known.get(batch.key)
+        known = None if batch.key is None else self._known.get(batch.key)
         if known is None:
-            known = fans(batch)
-            self._known.put(batch.key, known, known[0].nbytes + known[1].nbytes)
+            points, flags = fans(batch)
+            known = points, flags, way_out(points)
+            if batch.key is not None:
+                self._known.put(batch.key, known, points.nbytes + flags.nbytes)
         return known
 
 

@@ -218,8 +218,9 @@ def test_fans_of_polygons_that_are_not_quite_polygons():
     assert ink_of(TwoPass(), (empty, CAMERA), base=False)[1].min() == 255
 
 
-def test_fronts_are_what_the_app_says():
-    """Inside out under the other front face, and mirrored: the same lines."""
+def test_fronts_are_what_is_out_however_a_surface_winds():
+    """Inside out, under the other front face or not as GLUT's teapot, and mirrored: the same lines.
+    Of a sheet, which has no outside, fronts are what the app says."""
     mesh = look.torus()
     plain = ink_of(TwoPass(), (mesh, CAMERA))[1]
     turned = [p[::-1] for p in look.polygons_of(mesh)]
@@ -231,8 +232,13 @@ def test_fronts_are_what_the_app_says():
     mirrored = look.batch(points, look.polygons_of(mesh))
     camera = dataclasses.replace(CAMERA, modelview=CAMERA.modelview @ mirror)
     assert camera.mirrored != CAMERA.mirrored
-    assert (ink_of(TwoPass(), (look.batch(points, turned), camera))[1] == plain).mean() < 0.99
+    assert (ink_of(TwoPass(), (look.batch(points, turned), camera))[1] == plain).mean() > 0.995
     assert (ink_of(TwoPass(), (mirrored, camera))[1] == plain).mean() > 0.995
+    assert (ink_of(TwoPass(), (inside_out, CAMERA))[1] == plain).mean() > 0.995
+    sheet = look.batch([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [[0, 1, 2, 3]])
+    cameras = [dataclasses.replace(CAMERA, front_ccw=ccw) for ccw in (True, False)]
+    changed = [np.not_equal(*ink_of(TwoPass(), (sheet, camera))).sum() for camera in cameras]
+    assert min(changed) == 0 < max(changed)
 
 
 def test_a_depth_test_turned_round():

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.geometry.vectors import cross, dot
+from glshim.geometry.vectors import Doubles, cross, dot
 
 _HOLLOW = 0.01
 """Volume over area to the power of 1.5 from which on a component has an inside (sphere: 0.094)."""
@@ -23,7 +23,22 @@ def outward(mesh: Mesh) -> NDArray[np.float32]:
     if not len(mesh.triangles):
         return found
     label = mesh.components
-    corners = mesh.positions[mesh.triangles].astype(np.float64)
+    sign = _signs(mesh.positions[mesh.triangles].astype(np.float64), label)
+    found[mesh.triangles] = sign[label][:, None]
+    return found
+
+
+def way_out(triangles: NDArray[np.floating]) -> float:
+    """+1 where the normals of triangles (T, 3, 3) point out of what they enclose together, -1 where
+    they point into it, 0 where that is next to nothing."""
+    corners = np.asarray(triangles, np.float64)
+    sound = corners[np.isfinite(corners).all(axis=(1, 2))]
+    return float(_signs(sound, np.zeros(len(sound), np.intp))[0]) if len(sound) else 0.0
+
+
+def _signs(corners: Doubles, label: NDArray[np.integer]) -> Doubles:
+    """(L,) of each label that triangles (T, 3, 3) bear (T,): the sign of the volume that they
+    enclose seen from their middle, 0 where that is next to nothing."""
     with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
         middle = corners.mean(axis=1)
         total = np.bincount(label)
@@ -33,6 +48,4 @@ def outward(mesh: Mesh) -> NDArray[np.float32]:
         vector = cross(b - a, c - a)
         area = np.bincount(label, np.sqrt(dot(vector, vector)) / 2.0)
         share = np.nan_to_num(volume / area**1.5)
-    sign = np.where(np.abs(share) >= _HOLLOW, np.sign(share), 0.0)
-    found[mesh.triangles] = sign[label][:, None]
-    return found
+    return np.asarray(np.where(np.abs(share) >= _HOLLOW, np.sign(share), 0.0))
