@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.welding import mixed
 from glshim.geometry.smoothing_groups import (
     Strips,
     following,
@@ -277,13 +278,11 @@ def _parted(mesh: Mesh, one: Indices, other: Indices, corner_normals: Floats) ->
     if mesh.twisted.any():
         along = mesh.twisted[met]
         near, far = np.where(along, far, near), np.where(along, near, far)
-    ends = sent.take(np.concatenate((h, after.take(h))), axis=0)
-    others = sent.take(np.concatenate((near, far)), axis=0)
-    # Most are equal, and only the others are normalised.
-    unlike = np.zeros(len(ends), np.bool_)
-    unlike[np.flatnonzero(ends.ravel() != others.ravel()) // 3] = True
-    at = np.flatnonzero(unlike)
-    m, n = _known(ends[at]), _known(others[at])
+    ends, others = np.concatenate((h, after.take(h))), np.concatenate((near, far))
+    # Most are equal, as a number of 64 bits for each says; only the others are normalised.
+    key = mixed(sent.view(np.int32).T)
+    at = np.flatnonzero(key.take(ends) != key.take(others))
+    m, n = _known(sent[ends[at]]), _known(sent[others[at]])
     apart = (dot(m - n, m - n) > _ALIKE * _ALIKE) & m.any(axis=1) & n.any(axis=1)
     found[met[at[apart] % max(len(met), 1)]] = True
     return found

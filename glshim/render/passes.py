@@ -311,7 +311,8 @@ def _size_of(pose: Pose) -> int:
 
 def _set(state: State, greater: bool) -> None:
     """The fixed state of a pass."""
-    gl.glEnable(_DEPTH_TEST)
+    # Not only let through by it: a driver in software would look depths up all the same.
+    _switch(_DEPTH_TEST, state.depth != "always" or state.writes_depth)
     test = _TURNED.get(state.depth, state.depth) if greater else state.depth
     gl.glDepthFunc(_TESTS[test])
     gl.glDepthMask(int(state.writes_depth))

@@ -67,8 +67,8 @@ def repeated(triangles: Indices, sides: Sides) -> Rows:
     """Which triangles have come before with the same winding: a surface drawn twice, none of
     whose edges would be an edge of two."""
     starts, across = triangles.ravel(), triangles[:, _BEFORE].ravel()
-    alike = np.flatnonzero(starts[sides.one] == starts[sides.other])
-    twice = across[sides.one[alike]] == across[sides.other[alike]]
+    alike = np.flatnonzero(starts.take(sides.one) == starts.take(sides.other))
+    twice = across.take(sides.one.take(alike)) == across.take(sides.other.take(alike))
     pairs = alike[twice]
     if not len(pairs) and not len(sides.crowded):
         return np.empty(0, np.intp)
@@ -95,7 +95,7 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
         flags[sides.crowded] = np.repeat(
             np.logical_or.reduceat(flags[sides.crowded], sides.crowds), sizes
         )
-    flags[sides.one] |= flags[sides.other]
+    flags[sides.one] |= flags.take(sides.other)
     mate = np.full(count, -1, np.int32)
     mate[sides.one] = sides.other
     hidden = np.zeros(count, np.bool_)
@@ -108,17 +108,17 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
     faces = np.stack((a // 3, b // 3), axis=1)  # -1 // 3 is -1
     met = np.flatnonzero(b >= 0)
     starts, ends = triangles.ravel(), triangles[:, _NEXT].ravel()
-    against = starts[a[met]] == starts[b[met]]
+    against = starts.take(a.take(met)) == starts.take(b.take(met))
     first, second = faces.take(met, axis=0).T
     turn = turned(len(triangles), first, second, against)
     twisted = np.zeros(len(a), np.bool_)
     twisted[met] = against ^ turn[first] ^ turn[second]
 
-    edges = np.stack((starts[a], ends[a]), axis=1)
+    edges = np.stack((starts.take(a), ends.take(a)), axis=1)
     halves = np.stack((a, b), axis=1)
     opposite = np.empty_like(edges)
     across = triangles[:, _BEFORE].ravel()
-    opposite[:, 0] = across[a]
+    opposite[:, 0] = across.take(a)
     if turn.any():
         back = turn[faces[:, 0]]
         edges[back] = edges[back][:, ::-1]
@@ -127,7 +127,7 @@ def adjacency(triangles: Indices, true: Flags, sides: Sides) -> Adjacency:
         # Of what was the side from corner k the end is now its start: corner 2 - k.
         round_ = turn[faces] & (halves >= 0)
         halves[round_] = (6 * faces + 2 - halves)[round_]
-    opposite[:, 1] = np.where(b >= 0, across[b], edges[:, 0])
+    opposite[:, 1] = np.where(b >= 0, across.take(b), edges[:, 0])
     return Adjacency(
         triangles, edges, faces, opposite, halves, flags[a], manifold[a], turn, twisted
     )

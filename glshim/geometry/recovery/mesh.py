@@ -290,12 +290,12 @@ def _slack(points: Floats, held: Floats, tolerance: float) -> float:
 def _area(positions: Floats, triangles: Indices) -> Flags:
     """(T,) which triangles have a finite area above zero. Exact for float32 corners of like
     size: however thin, a sliver keeps the surface together."""
-    points = positions.astype(np.float64)
+    a, b, c = np.ascontiguousarray(triangles.T)
     with np.errstate(invalid="ignore", over="ignore"):
         x, y, z = (
-            (axis[triangles[:, 1]] - start, axis[triangles[:, 2]] - start)
-            for axis in np.ascontiguousarray(points.T)
-            for start in [axis[triangles[:, 0]]]
+            (axis.take(b) - start, axis.take(c) - start)
+            for axis in np.ascontiguousarray(positions.T, np.float64)
+            for start in [axis.take(a)]
         )
         area = np.abs(x[0] * y[1] - x[1] * y[0])
         area += np.abs(y[0] * z[1] - y[1] * z[0])
