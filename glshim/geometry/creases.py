@@ -244,10 +244,10 @@ def _meant(mesh: Mesh, sent: Floats | None) -> Floats | None:
     has a program that never sends any."""
     if sent is None:
         return None
-    unset = (sent[:, 0] == _DEFAULT).all(axis=1)
+    unset = sent[:, 0, 2] == _DEFAULT[2]
     if not unset.any():
         return sent
-    unset &= (sent[:, 1:] == _DEFAULT).all(axis=(1, 2))
+    unset &= (sent == _DEFAULT).all(axis=(1, 2))
     a, b = mesh.faces[unset[mesh.faces].all(axis=1) & (mesh.faces[:, 1] >= 0)].T
     turns = dot(mesh.normals[a], mesh.normals[b]) < 1.0 - _ALIKE
     if not turns.any():

@@ -152,6 +152,7 @@ class Crease(Styler):
             "verified": int(self.indicator == "verifiers"),
             "cuts": int(textured > 0),
             "apart": int(apart),
+            "creased": int(self.creases),
             "textured": textured,
             "repeat": repeat,
             "hidden_share": 0.0,

@@ -5,6 +5,7 @@
 layout(triangle_strip, max_vertices = 12) out;
 
 uniform int back_faces;  // 1: they alone hide contours
+uniform int creased;     // 1: creases are drawn, too
 
 // As glshim/geometry/smooth_lines.py has them.
 const float BENT = 0.02;    // a vertex normal so far from the triangle's bends it wholly
@@ -128,7 +129,7 @@ void main() {
     bool falls = dot(rise, sight) < 0.0;
     if (falls && back_faces == 1 && (flags & 1) == 1) return;
     emit(y0, y1, v_before, v_after, by, falls ? -outwards : outwards);
-    if (dot(area, sight) * dot(area, turn[0] + turn[2] + turn[4]) >= 0.0) return;
+    if (creased == 0 || dot(area, sight) * dot(area, turn[0] + turn[2] + turn[4]) >= 0.0) return;
     // A contour that runs into a crease behind the polygons' own outline leaves a gap up to that.
     vec2 none = vec2(0.0);
     if (crease_between(flags, o))
