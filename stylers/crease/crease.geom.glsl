@@ -39,21 +39,10 @@ void emit(int a, int b, int c, int d, bool contour, int kind) {
     vec2 v_after = eye_b == whole_b ? on_the_screen(e_after, place[b]) : vec2(0.0);
     // The triangle lies on the left of the line.
     vec3 at_a = (projection * vec4(eye_a, 1.0)).xyw, at_b = (projection * vec4(eye_b, 1.0)).xyw;
-    if (dot(cross(at_a, at_b), clip(place[c]).xyw) < 0.0) {
-        vec3 kept = eye_a;
-        eye_a = eye_b;
-        eye_b = kept;
-        vec2 way = v_before;
-        v_before = -v_after;
-        v_after = -way;
-    }
+    if (dot(cross(at_a, at_b), clip(place[c]).xyw) < 0.0)
+        turn_round(eye_a, eye_b, v_before, v_after);
     Line l;
-    l.from = window(eye_a);
-    l.to = window(eye_b);
-    l.size = distance(l.from.xy, l.to.xy);
-    if (l.size < 1e-3) return;
-    l.v = (l.to.xy - l.from.xy) / l.size;
-    l.n = perpendicular(l.v);
+    if (!on_window(eye_a, eye_b, l)) return;
     float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
     vec4 planes = vec4(slope_of(eye_a, eye_b, place[c], deep), vec2(0.0));
     planes.zw = place[d] == place[a] ? planes.xy : slope_of(eye_a, eye_b, place[d], deep);

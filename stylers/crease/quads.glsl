@@ -72,6 +72,27 @@ struct Line {
     bool joined_a, joined_b;
 };
 
+// A line the other way round, with the directions of its neighbours.
+void turn_round(inout vec3 eye_a, inout vec3 eye_b, inout vec2 v_before, inout vec2 v_after) {
+    vec3 kept = eye_a;
+    eye_a = eye_b;
+    eye_b = kept;
+    vec2 way = v_before;
+    v_before = -v_after;
+    v_after = -way;
+}
+
+// The line between two points; whether it has a length.
+bool on_window(vec3 eye_a, vec3 eye_b, out Line l) {
+    l.from = window(eye_a);
+    l.to = window(eye_b);
+    l.size = distance(l.from.xy, l.to.xy);
+    if (l.size < 1e-3) return false;
+    l.v = (l.to.xy - l.from.xy) / l.size;
+    l.n = perpendicular(l.v);
+    return true;
+}
+
 // The cut between a line and its neighbour, which runs on in a direction; 0: there is none.
 vec2 mitre(Line l, vec2 neighbour, bool left_side_only, out bool joined) {
     vec2 other = perpendicular(neighbour);

@@ -81,21 +81,10 @@ void emit(vec3 from, vec3 to, vec2 v_before, vec2 v_after, float by, vec3 outwar
     if (eye_a != whole_a) v_before = vec2(0.0);
     if (eye_b != whole_b) v_after = vec2(0.0);
     vec2 right = perpendicular(window(eye_b).xy - window(eye_a).xy);
-    if (dot(right, on_the_screen(outwards, eye_a == whole_a ? from : to)) < 0.0) {
-        vec3 kept = eye_a;
-        eye_a = eye_b;
-        eye_b = kept;
-        vec2 turned = v_before;
-        v_before = -v_after;
-        v_after = -turned;
-    }
+    if (dot(right, on_the_screen(outwards, eye_a == whole_a ? from : to)) < 0.0)
+        turn_round(eye_a, eye_b, v_before, v_after);
     Line l;
-    l.from = window(eye_a);
-    l.to = window(eye_b);
-    l.size = distance(l.from.xy, l.to.xy);
-    if (l.size < 1e-3) return;
-    l.v = (l.to.xy - l.from.xy) / l.size;
-    l.n = perpendicular(l.v);
+    if (!on_window(eye_a, eye_b, l)) return;
     float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
     l.mitre_a = mitre(l, v_before, false, l.joined_a);
     l.mitre_b = mitre(l, v_after, false, l.joined_b);
