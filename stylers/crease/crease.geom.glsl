@@ -67,6 +67,6 @@ void main() {
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
         if (!crease) continue;
         bool contour = open || (front && !is_front(flags, a, across, b));
-        emit(a, b, c, across, contour, open ? FIN : contour ? RING : RIDGE);
+        emit(a, b, c, across, contour, contour ? RING : RIDGE);
     }
 }
