@@ -15,7 +15,7 @@ layout(triangle_strip, max_vertices = 12) out;
 #endif
 
 in vec3 place[];
-in int number[];
+flat in int number[];
 
 uniform float half_width;  // pixels
 uniform float overhang;    // share of its length by which a fin goes on at both ends

@@ -3,7 +3,7 @@
 // Source: Rideout 2010, "Computing Adjacency".
 
 out vec3 place;  // object space
-out int number;
+flat out int number;
 
 void main() {
     number = gl_VertexID;
