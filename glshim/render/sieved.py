@@ -3,7 +3,7 @@ lines and triangles with adjacency."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -27,14 +27,31 @@ _LINE = np.array((4, 0, 2, 1))
 """Where in the six of a triangle the four of its first side are: c, a, b, across."""
 
 
+@dataclass(slots=True)
+class _Remaining:
+    """What a sieve left for the last eye that looked."""
+
+    eye: bytes = b""
+    texture: int = 0
+    """Of the numbers."""
+    count: int = 0
+    indices: Indices | None = None
+
+    def free(self) -> None:
+        """Delete what it holds."""
+        if self.texture:
+            delete((self.texture,))
+        if self.indices is not None:
+            self.indices.free()
+
+
 class Sieved:
-    """Of one mesh, for the last eye that looked. Use it inside the guard."""
+    """Of one mesh, sieve by sieve: passes that ask for unlike elements take turns in each frame.
+    Use it inside the guard."""
 
     def __init__(self, mesh: Mesh, edges: EdgeMesh, creases: Creases | None) -> None:
         self._mesh, self._edges, self._creases = mesh, edges, creases
-        self._last: Hashable = None
-        self._indices: Indices | None = None
-        self._texture = self._count = 0
+        self._left: dict[tuple[Sieve, Element], _Remaining] = {}
 
     @cached_property
     def adjacency(self) -> Ints:
@@ -69,22 +86,22 @@ class Sieved:
     def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
         """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any
         to the vertex array; how many those are."""
-        key = eye.tobytes(), sieve, element
-        if key != self._last:
+        left = self._left.setdefault((sieve, element), _Remaining())
+        if left.eye != eye.tobytes():
             rows = self._remaining(eye, sieve, element)
-            if element in _INDEXED:
-                if self._indices is None:
-                    self._indices = Indices()
-                self._indices.fill(self.indices(element, rows))
-            self._forget()
+            if left.texture:
+                delete((left.texture,))
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
-            self._texture, self._count, self._last = upload(texels), len(rows), key
-        if element in _INDEXED and self._indices is not None:
-            self._indices.bind()
+            left.eye, left.texture, left.count = eye.tobytes(), upload(texels), len(rows)
+            if element in _INDEXED:
+                left.indices = left.indices or Indices()
+                left.indices.fill(self.indices(element, rows))
+        if left.indices is not None:
+            left.indices.bind()
         gl.glActiveTexture(0x84C0 + UNIT)
-        gl.glBindTexture(0x0DE1, self._texture)
-        return self._count
+        gl.glBindTexture(0x0DE1, left.texture)
+        return left.count
 
     def _remaining(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> Ints:
         """The elements that remain, in rising order."""
@@ -109,14 +126,8 @@ class Sieved:
         (a, b), (c, d) = self._mesh.halves[rows].T, self._mesh.opposite[rows].T
         return np.asarray(np.where((b < 0) | (c <= d), a, b))
 
-    def _forget(self) -> None:
-        if self._texture:
-            delete((self._texture,))
-            self._texture, self._last = 0, None
-
     def free(self) -> None:
         """Delete what it made."""
-        self._forget()
-        if self._indices is not None:
-            self._indices.free()
-            self._indices = None
+        for left in self._left.values():
+            left.free()
+        self._left.clear()

@@ -31,36 +31,23 @@ const float JOINT = 0.05;      // pixels by which quads overlap against rounding
 const float HAIRPIN = 1e-4;    // 1 + cosine of a turn that no bisector serves, on the inner side
 const float SHARPEST = 0.125;  // the same on the outer side: bisectors up to four widths long
 
-bool before(vec3 p, vec3 q) {
-    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
-}
-
 // Whether a triangle turns its outside to the viewer; one that is seen edge-on does not. Flags: those
-// of a triangle of its component. Both triangles at an edge ask for each other: the corners are taken
-// in one order, so that rounding says the same.
-bool is_front(int flags, int a, int b, int c) {
-    bool even = (flags & 128) == 0;
-    if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
-    if (before(place[c], place[b])) { int i = b; b = c; c = i; even = !even; }
-    if (before(place[b], place[a])) { int i = a; a = b; b = i; even = !even; }
-    vec3 area = cross(place[b] - place[a], place[c] - place[a]), sight = towards(eye, place[a]);
-    float facing_us = dot(area, sight) * (even ? 1.0 : -1.0);
-    return facing_us > EDGE_ON * length(area) * length(sight);
+// of a triangle of its component.
+bool is_front(int flags, int i, int j, int k) {
+    vec3 a = place[i], b = place[j], c = place[k];
+    bool even = put_in_order(a, b, c) == ((flags & 128) != 0);
+    vec3 area = cross(b - a, c - a), sight = towards(eye, a);
+    return (even ? 1.0 : -1.0) * dot(area, sight) > EDGE_ON * length(area) * length(sight);
 }
 
 vec3 in_eye(vec3 point) { return (modelview * vec4(point, 1.0)).xyz; }
 
 vec2 perpendicular(vec2 v) { return vec2(v.y, -v.x); }
 
-vec2 unit(vec2 v) {
-    float size = length(v);
-    return size > 0.0 ? v / size : vec2(0.0);
-}
-
 // The direction on the screen of a direction in object space, at a point.
 vec2 on_the_screen(vec3 way, vec3 point) {
-    vec4 here = clip(point), flow = projection * vec4(mat3(modelview) * way, 0.0);
-    return here.w > 0.0 ? unit((flow.xy * here.w - here.xy * flow.w) * viewport.zw) : vec2(0.0);
+    vec4 here = clip(point);
+    return here.w > 0.0 ? projected(way, here) : vec2(0.0);
 }
 
 // A line on the screen and what it is joined to.

@@ -15,7 +15,7 @@ float toward[6];  // n.c of each vertex
 
 // Where n.c is zero between two corners; the same to the bit, whoever asks.
 vec3 crossing(int a, int b) {
-    if (before(place[b], place[a])) { int i = a; a = b; b = i; }
+    if (comes_before(place[b], place[a])) { int i = a; a = b; b = i; }
     return (toward[a] * place[b] - toward[b] * place[a]) / (toward[a] - toward[b]);
 }
 

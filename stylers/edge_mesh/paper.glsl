@@ -30,11 +30,6 @@ struct Stroke {
     bool half_quad;
 };
 
-vec2 unit(vec2 v) {
-    float size = length(v);
-    return size > 0.0 ? v / size : vec2(0.0);
-}
-
 float side(vec2 m, vec2 p) { return dot(m, p) < 0.0 ? -1.0 : 1.0; }
 
 // The part of a line in clip space between the near and the far plane; whether there is one.
@@ -48,12 +43,6 @@ bool cut(inout vec4 a, inout vec4 b) {
         if (at_b <= 0.0) b = met;
     }
     return a.w > 0.0 && b.w > 0.0;
-}
-
-// The projection of a normal at a place in clip space.
-vec2 projected(vec3 n, vec4 place) {
-    vec4 flow = projection * vec4(mat3(modelview) * n, 0.0);
-    return unit((flow.xy * place.w - place.xy * flow.w) * viewport.zw);
 }
 
 Stroke this_stroke() {

@@ -32,16 +32,8 @@ const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer h
                                  // such a fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 
-// Whether a triangle turns counter-clockwise for the viewer. Both triangles at an edge ask for each
-// other: the corners are taken in one order, so that rounding says the same.
-bool is_front(int a, int b, int c) {
-    bool even = true;
-    if (number[a] > number[b]) { int i = a; a = b; b = i; even = !even; }
-    if (number[b] > number[c]) { int i = b; b = c; c = i; even = !even; }
-    if (number[a] > number[b]) { int i = a; a = b; b = i; even = !even; }
-    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
-    return (dot(area, towards(eye, place[a])) > 0.0) == even;
-}
+// Whether a triangle turns counter-clockwise for the viewer.
+bool is_front(int a, int b, int c) { return faces(place[a], place[b], place[c], eye); }
 
 // How the two triangles meet, for the spine test; both say the same. Only what has an outside is
 // hollow anywhere: of a sheet the nearer triangle is seen, and that folds away.

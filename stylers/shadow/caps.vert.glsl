@@ -6,7 +6,7 @@ void main() {
     gl_Position = NOWHERE;
     ivec4 t = triangle_at(element());
     vec3 p[3] = vec3[3](position(t.x), position(t.y), position(t.z));
-    bool lit = before(t.xyz, p[0], p[1], p[2], light);
+    bool lit = faces(p[0], p[1], p[2], light);
     if (t.w == 1 && !lit) return;
     bool far = corner() > 2;
     int k = corner() % 3;

@@ -15,8 +15,8 @@ void main() {
     v = ivec4(open ? ~v.x : v.x, v.y, v.z < 0 ? ~v.z : v.z, v.w);
     bool whole = v.w != v.x;
     vec3 p0 = position(v.x), p1 = position(v.y), p2 = position(v.z);
-    bool a = before(v.xyz, p0, p1, p2, light), b = false;
-    if (whole) b = before(v.wyx, position(v.w), p1, p0, light);
+    bool a = faces(p0, p1, p2, light), b = false;
+    if (whole) b = faces(position(v.w), p1, p0, light);
     // How often the border of the casting triangles goes from v0 to v1.
     if (whole ? a == b : copy == 1) return;
     int k = corner() % 4;

@@ -7,7 +7,7 @@ void main() {
     gl_Position = NOWHERE;
     ivec4 t = triangle_at(element());
     vec3 p[3] = vec3[3](position(t.x), position(t.y), position(t.z));
-    bool same = before(t.xyz, p[0], p[1], p[2], light) == before(t.xyz, p[0], p[1], p[2], eye);
+    bool same = faces(p[0], p[1], p[2], light) == faces(p[0], p[1], p[2], eye);
     if (same && !every) return;
     gl_Position = clip(p[corner()]);
 }

@@ -1,21 +1,9 @@
-// Of all vertex shaders of the style: which triangles have the light before them, and the way to
-// infinity.
+// Of all vertex shaders of the style: the way to infinity.
 
 uniform bool mirrored;   // the camera turns windings round
 
 // A direction of clip space that leads away from the viewer.
 float deeper() { return sign(range.y - range.x); }
-
-// Whether a triangle has a source (the light or the eye) before it. Caps and sides must not
-// disagree, not even about a triangle that a ray only grazes: so the corners are taken in the order
-// of their numbers, whoever asks.
-bool before(ivec3 v, vec3 a, vec3 b, vec3 c, vec4 source) {
-    bool odd = false;
-    if (v.x > v.y) { v = v.yxz; vec3 t = a; a = b; b = t; odd = !odd; }
-    if (v.y > v.z) { v = v.xzy; vec3 t = b; b = c; c = t; odd = !odd; }
-    if (v.x > v.y) { vec3 t = a; a = b; b = t; odd = !odd; }
-    return (dot(cross(b - a, c - a), towards(source, a)) > 0.0) != odd;
-}
 
 // Where a place goes, in clip space, when the light drives it to infinity. Under a parallel
 // projection infinity has no image: there it goes a thousand windows far.

@@ -86,7 +86,39 @@ vec4 rest(int v) { return texelFetch(mesh_rest, texel(v), 0); }
 // Towards an eye or a light, homogeneous, from a point; not of unit length.
 vec3 towards(vec4 source, vec3 point) { return source.xyz - source.w * point; }
 
+bool comes_before(vec3 p, vec3 q) {
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+// Puts the corners of a triangle in one order, and says whether that turns it round: whoever asks
+// about it then computes the same to the bit. Both triangles at an edge ask for each other, and must
+// not disagree about one that is seen edge on.
+bool put_in_order(inout vec3 a, inout vec3 b, inout vec3 c) {
+    bool odd = false;
+    if (comes_before(b, a)) { vec3 t = a; a = b; b = t; odd = !odd; }
+    if (comes_before(c, b)) { vec3 t = b; b = c; c = t; odd = !odd; }
+    if (comes_before(b, a)) { vec3 t = a; a = b; b = t; odd = !odd; }
+    return odd;
+}
+
+// Whether a triangle winds counter-clockwise as seen from a source (the eye or a light).
+bool faces(vec3 a, vec3 b, vec3 c, vec4 source) {
+    bool odd = put_in_order(a, b, c);
+    return (dot(cross(b - a, c - a), towards(source, a)) > 0.0) != odd;
+}
+
 vec4 clip(vec3 point) { return projection * (modelview * vec4(point, 1.0)); }
 
 // Pixels from the middle of the viewport, and depth, of a place in clip space.
 vec2 pixels(vec4 place) { return place.xy / place.w * viewport.zw; }
+
+vec2 unit(vec2 v) {
+    float size = length(v);
+    return size > 0.0 ? v / size : vec2(0.0);
+}
+
+// The direction on the screen of a direction in object space, at a place in clip space.
+vec2 projected(vec3 way, vec4 place) {
+    vec4 flow = projection * vec4(mat3(modelview) * way, 0.0);
+    return unit((flow.xy * place.w - place.xy * flow.w) * viewport.zw);
+}
