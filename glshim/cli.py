@@ -1,4 +1,4 @@
-"""The command line: ``glshim run|view|styles|doctor``, the same as ``python -m glshim``.
+"""The command line: ``glshim run|view|gallery|styles|doctor``, the same as ``python -m glshim``.
 
 Exit status: the program's own under ``run`` and ``view``; 2 for a command that makes no sense (a
 style, a number, a screen that is not there), before any window opens.
@@ -13,6 +13,7 @@ from pathlib import Path
 
 from glshim import launch, options
 from glshim.errors import GlshimError
+from glshim.gallery import cli as gallery
 from glshim.notices import say
 
 DEFAULT_STYLE = "raskar"
@@ -65,6 +66,8 @@ def _parser() -> argparse.ArgumentParser:
     view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
     view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
     view.set_defaults(command=_view)
+
+    gallery.add_command(commands)
 
     styles = commands.add_parser("styles", help="list the styles and their options")
     styles.add_argument("names", nargs="*", metavar="NAME", help="only these")

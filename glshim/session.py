@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from glshim import options
+from glshim import options, stillness
 from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
@@ -26,6 +26,8 @@ def begin(folder: str) -> None:
 
         writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
+    if stillness.VARIABLE in os.environ:
+        stillness.count_frames()
     if settings.frames is not None:
         FrameLimit(settings.frames).install()
 
