@@ -25,6 +25,14 @@ from .styling.protocol import BackFaces, Layer, Styler
 _DOUBLE_BUFFER = 0x0C32
 
 
+def _asked() -> bool:
+    return bool(integer(_DOUBLE_BUFFER))
+
+
+is_double_buffered: Callable[[], bool] = _asked
+"""Whether the window that is drawn to is; a shot draws elsewhere and knows."""
+
+
 class Pipeline:
     """Follows the app's draws and adds a styler's at the end of each layer."""
 
@@ -96,7 +104,7 @@ class Pipeline:
 
     def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        if scene is None or scene.refused or integer(_DOUBLE_BUFFER):
+        if scene is None or scene.refused or is_double_buffered():
             return call()
         return frames.present(call)
 
@@ -141,6 +149,12 @@ def install(style: str | Styler) -> None:
     if style.wants_polygons:
         _current = Pipeline(style)
         _current.start()
+
+
+def revise(change: Callable[[Styler], Styler]) -> None:
+    """Draw from now on as a styler of the same class that is made of the current one."""
+    if _current is not None:
+        _current.styler = change(_current.styler)
 
 
 def uninstall() -> None:

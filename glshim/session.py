@@ -9,6 +9,8 @@ from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
 
+SHOT = "GLSHIM_SHOT"
+"""`glshim.shots.plan.VARIABLE`, which is not loaded but then."""
 LOOKS_AT_THE_PICTURE, COUNTS = 1, 2
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
 
@@ -19,8 +21,17 @@ def begin(folder: str) -> None:
     settings, complaints = options.read_environment(os.environ, folder)
     for complaint in complaints:
         say(complaint)
+    shot = None
+    if SHOT in os.environ:
+        from glshim.shots.plan import Plan
+        from glshim.shots.shooter import Shot
+
+        shot = Shot(Plan.of_text(os.environ[SHOT]))
+        shot.prepare()
     if settings.style is not None:
         _install(settings.style, folder)
+    if shot is not None:
+        shot.begin()
     if settings.capture is not None:
         from glshim.render.framegrab import FrameWriter
 

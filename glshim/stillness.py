@@ -75,7 +75,7 @@ def count_frames() -> None:
     none any more."""
     from glshim.capture import frames
 
-    frames.install(_nothing, MOMENT.frame_ends, rank=2)
+    frames.install(_nothing, MOMENT.frame_ends, rank=0)  # before a shot stops the clock
     threading.Thread(target=_watch, args=(MOMENT,), daemon=True).start()
 
 

@@ -57,6 +57,8 @@ class RawLayer:
         self._wrapper_makers: dict[str, Maker] = {}
         self.matchers: list[Callable[[str], Maker | None]] = []
         self._undo: list[Callable[[], None]] = []
+        self.ground: Callable[[str], Maker | None] = lambda name: None
+        """What changes calls below every hook, for names loaded from now on: a shot's."""
 
     @property
     def installed(self) -> bool:
@@ -105,7 +107,12 @@ class RawLayer:
     def _adopt(self, cls: type) -> None:
         call = vars(cls)["__call__"]
         original = call.__func__ if isinstance(call, staticmethod) else call
+        below = self.ground(cls.__name__)
+        if below is not None:
+            original = below(original)
         slot = _Slot(cls, original, static=True)
+        if below is not None:
+            slot.put(None)
         self._raw.setdefault(cls.__name__, []).append(slot)
         maker = self._raw_maker(cls.__name__)
         if maker is not None:
