@@ -214,10 +214,22 @@ def hook_function(function: Any, hook: Call | None) -> None:
         cls = type(function)
     if hook is None:
         return
+    _replace_call(function, hook, _glshim_original=cls)
+
+
+def ground_function(function: Any, maker: Maker) -> None:
+    """Make a ctypes function object call the maker's hook below any `hook_function`, for good."""
+    cls: Any = type(function)
+    hook = maker(lambda *args: cls.__call__(function, *args))
+    _replace_call(function, hook)
+
+
+def _replace_call(function: Any, hook: Call, **more: Any) -> None:
+    cls: Any = type(function)
     body = {
         # A library's own functions have no types on their class, but on themselves.
         **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
-        "_glshim_original": cls,
+        **more,
         "__call__": lambda _self, *args: hook(*args),
     }
     function.__class__ = type(cls.__name__, (cls,), body)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from glshim.capture.imports import after_import
-from glshim.capture.raw import Call, hook_function, original_call
+from glshim.capture.raw import Call, ground_function
 from glshim.capture.recorder import RECORDER
 from glshim.render.driver import gl, integer
 from glshim.render.guard import Guard, possible
@@ -51,12 +51,11 @@ class Glyphs:
                 function = getattr(function, "", None)  # inside PyOpenGL's logging proxies
             if function is None or not function:
                 continue
-            call = original_call(function)
-            if name == "glutBitmapCharacter":
-                self._character = call
-                hook_function(function, self._draw)
-            else:
-                hook_function(function, self._string(call))
+            ground_function(function, self._one if name == "glutBitmapCharacter" else self._string)
+
+    def _one(self, plain: Call) -> Call:
+        self._character = plain
+        return self._draw
 
     def _string(self, plain: Call) -> Call:
         def hook(font: Any, text: Any) -> Any:

@@ -31,7 +31,9 @@ _VIEWPORT, _DOUBLE_BUFFER, _DRAW_BUFFER, _READ_BUFFER = 0x0BA2, 0x0C32, 0x0C01, 
 _MOST_VIEWPORT, _MOST_RENDERBUFFER, _MOST_TEXTURE = 0x0D3A, 0x84E8, 0x0D33
 _UNLIKE = 24
 """Levels of a channel by which pixels of two tiles differ where they were not drawn alike."""
-_SOME = 0.004
+_BAND = 8
+"""Pixels on either side of where tiles meet that are compared."""
+_SOME = 0.01
 """Share of such pixels in what tiles share that drawing by itself does not bring about."""
 Pixels = NDArray[np.uint8]
 
@@ -150,18 +152,17 @@ class Shot:
     def _take(self, tile: Tile) -> None:
         """The frame is drawn: keep its part of the picture."""
         picture = np.asarray(self.target.picture())[::-1]
-        whole = slice(tile.y, tile.y + tile.height), slice(tile.x, tile.x + tile.width)
-        known = self._seen[whole]
-        if known.any():
-            apart = np.abs(self._sheet[whole].astype(np.int16) - picture).max(axis=2) > _UNLIKE
-            self._unlike += int((apart & known).sum())
-            self._shared += int(known.sum())
         left, low, right, top = tile.inner
-        inside = slice(low - tile.y, top - tile.y), slice(left - tile.x, right - tile.x)
-        # What margins hold is kept to compare with, until its own tile comes.
-        old = self._sheet[whole]
-        old[~known] = picture[~known]
-        old[inside] = picture[inside]
+        # What lies a little beyond is compared with what the neighbour draws there.
+        outer = (max(left - _BAND, tile.x), max(low - _BAND, tile.y),
+                 min(right + _BAND, tile.x + tile.width), min(top + _BAND, tile.y + tile.height))
+        sheet, drawn = _slices(outer, (0, 0)), _slices(outer, (tile.x, tile.y))
+        known, mine = self._seen[sheet], picture[drawn]
+        apart = np.abs(self._sheet[sheet].astype(np.int16) - mine).max(axis=2) > _UNLIKE
+        self._unlike += int((apart & known).sum())
+        self._shared += int(known.sum())
+        self._sheet[sheet][~known] = mine[~known]
+        self._sheet[_slices(tile.inner, (0, 0))] = picture[_slices(tile.inner, (tile.x, tile.y))]
         known[:] = True
 
     def _write(self) -> None:
@@ -246,6 +247,12 @@ class Shot:
             return size
         _, _, width, height = _integers(_VIEWPORT, 4)
         return width, height
+
+
+def _slices(box: tuple[int, int, int, int], origin: tuple[int, int]) -> tuple[slice, slice]:
+    """Rows and columns of a box (left, low, right, top)."""
+    (left, low, right, top), (x, y) = box, origin
+    return slice(low - y, top - y), slice(left - x, right - x)
 
 
 def _integers(name: int, count: int) -> tuple[int, ...]:
