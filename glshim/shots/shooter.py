@@ -33,8 +33,9 @@ _UNLIKE = 24
 """Levels of a channel by which pixels of two tiles differ where they were not drawn alike."""
 _BAND = 8
 """Pixels on either side of where tiles meet that are compared."""
-_SOME = 0.01
-"""Share of such pixels in what tiles share that drawing by itself does not bring about."""
+_SOME, _FEW = 0.0005, 30
+"""Share of such pixels in what is drawn twice that drawing by itself does not bring about, and a
+number of them that it may."""
 Pixels = NDArray[np.uint8]
 
 
@@ -123,6 +124,8 @@ class Shot:
         side = min(self.plan.tile, integer(_MOST_RENDERBUFFER), integer(_MOST_TEXTURE))
         self.mapping = Mapping(window, sheet, (0, 0))
         self._left = tiles_of(sheet, self.mapping.scale, side)
+        if len(self._left) > 1:  # the first once more, to see whether the program stands still
+            self._left.append(self._left[0])
         if sheet == window and len(self._left) == 1:  # the window is as good: drivers may draw
             self._plainly = True  # into it and into objects by other rules for ties
             return
@@ -166,10 +169,10 @@ class Shot:
         known[:] = True
 
     def _write(self) -> None:
-        if self._shared and self._unlike > _SOME * self._shared:
+        if self._unlike > max(_SOME * self._shared, _FEW):
             say(
-                "tiles do not agree where they meet: the program moves with each frame that it "
-                "draws, not with a clock; a smaller picture is one tile"
+                "tiles do not agree: the program moves with each frame that it draws, not with a "
+                "clock; a picture of one tile (smaller, or with a larger --tile) is whole"
             )
         picture = Image.fromarray(self._sheet[::-1])
         wanted = self.plan.size or picture.size
