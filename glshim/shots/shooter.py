@@ -56,7 +56,7 @@ class Shot:
         self._seen: NDArray[np.bool_] = np.zeros((0, 0), bool)
         self._unlike = self._shared = 0
         self._frames = 0
-        self._plainly = False
+        self._plainly = self._rehearsing = False
         self._settled = True
         self._guess: Mapping | None = None
         self._calls = Calls(self._current, self._ahead, self._settle)
@@ -83,9 +83,15 @@ class Shot:
             self._try(self._write)
         elif self._tile is not None and self._context == current_context():
             self._take(self._tile)
+        elif self._rehearsing and self._context == current_context():
+            self._try(lambda: self.target.remember(self.home, self.mapping.window))
 
     def _after(self) -> None:
         if self._plainly or (self._context and self._context != current_context()):
+            return
+        if self._rehearsing:
+            self._rehearsing = False
+            self._try(self._enlarge)
             return
         if self._tile is None:
             self._context = current_context()
@@ -133,11 +139,17 @@ class Shot:
         self._sheet = np.zeros((sheet[1], sheet[0], 3), np.uint8)
         self._seen = np.zeros((sheet[1], sheet[0]), bool)
         stillness.MOMENT.held = True
+        # What programs read back may lie in another tile: a frame in the window shows it all.
+        self._rehearsing = len(self._left) > 1
+        if not self._rehearsing:
+            self._enlarge()
+
+    def _enlarge(self) -> None:
+        """From the next frame on tiles are drawn."""
         pipeline.revise(lambda styler: enlarged(styler, self.mapping.scale))
         pipeline.is_double_buffered = lambda: self.double
         SHEET.scale = self.mapping.scale
         SHEET.bounds = self.target.size
-        self._tile = None
         self._next()
 
     def _next(self) -> None:

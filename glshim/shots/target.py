@@ -63,16 +63,14 @@ class Target:
 
     @contextmanager
     def as_window(self, mapping: Mapping) -> Iterator[None]:
-        """For reading: what is drawn, in the pixels of the window (of a tile: its part)."""
+        """For reading: what is drawn, in pixels of the window (where no tile was: `remember`)."""
         bound = integer(READ_BINDING)
         with Guard():
             source, whole = self.name, (0, 0, *self.size)
             if self._samples:  # which cannot be resolved and shrunk at once
                 self._blit(self._resolve(), self.size, whole, source)
                 source = self._resolved
-            if self._small is None or self._small[0] != mapping.window:
-                self._small = mapping.window, self._framebuffer(mapping.window, 0)
-            small = self._small[1]
+            small = self._smaller(mapping.window)
             x, y = (-o for o in mapping.origin)
             box = (x, y, x + mapping.sheet[0], y + mapping.sheet[1])
             self._blit(small, mapping.window, box, source)
@@ -81,6 +79,16 @@ class Target:
             yield
         finally:
             gl.glBindFramebuffer(READ, bound)
+
+    def remember(self, window: int, size: Size) -> None:
+        """Take what the window's framebuffer holds for what lies outside the tiles to come."""
+        with Guard():
+            self._blit(self._smaller(size), size, (0, 0, *size), window)
+
+    def _smaller(self, size: Size) -> int:
+        if self._small is None or self._small[0] != size:
+            self._small = size, self._framebuffer(size, 0)
+        return self._small[1]
 
     def _resolve(self) -> int:
         if not self._resolved:

@@ -63,8 +63,7 @@ def test_at_scale_1_it_is_the_captured_frame(tmp_path: Path) -> None:
     assert said == "" and unlike(tiled, plain, by=0) < 0.002
 
 
-@pytest.mark.parametrize("style", ["raskar", "edge_mesh:texture=dashed", "watercolour", "crease",
-                                   "pen_and_ink"])  # fmt: skip
+@pytest.mark.parametrize("style", ["raskar", "edge_mesh:texture=dashed", "watercolour"])
 def test_larger_it_is_the_frame_of_a_larger_window(tmp_path: Path, style: str) -> None:
     program = (BOARD, "320", "240", "1")
     larger, said = shot(tmp_path, style, *program, "--scale", "3")
