@@ -54,8 +54,9 @@ def run(asked: argparse.Namespace) -> int:
     from glshim.gallery.sheet import write_sheet
 
     subject, frame = subjects.subject_of(asked), subjects.frame_of(asked)
-    texts = asked.compare or split_styles(asked.styles or "") or all_styles()
-    styles = [subjects.style_variable(text) for text in texts]
+    chosen = asked.compare or split_styles(asked.styles or "")
+    texts = chosen or all_styles()
+    styles, unusable = _checked(texts, tolerant=not chosen)
     if asked.columns < 1 or not asked.timeout > 0:
         raise EnvironmentFault("--columns and --timeout are greater than zero")
     page = Path(asked.output).absolute()
@@ -67,6 +68,7 @@ def run(asked: argparse.Namespace) -> int:
         runs = [
             styled(text, style, frame, folder / name)
             for text, style, name in zip(texts, styles, _file_names(texts), strict=True)
+            if text not in unusable
         ]
         with tqdm(total=len(runs), desc=subject.title, unit="style") as bar:
 
@@ -75,6 +77,7 @@ def run(asked: argparse.Namespace) -> int:
                 bar.update()
 
             tiles = [_tile(ended) for ended in run_all(subject.command, runs, asked.timeout, done)]
+        tiles += [Tile(text, "", "", folder / "none", fault) for text, fault in unusable.items()]
         sheet = page.with_suffix(".png")
         write_sheet(sheet, subject.title, tiles, asked.columns)
         failed = [tile for tile in tiles if tile.fault]
@@ -91,6 +94,21 @@ def run(asked: argparse.Namespace) -> int:
         say(f"{tile.name}: {tile.fault}")
     print(page)
     return 1 if failed else 0
+
+
+def _checked(texts: list[str], *, tolerant: bool) -> tuple[list[str], dict[str, str]]:
+    """The styles as `GLSHIM_STYLE` takes them; when tolerant, what is wrong with those that cannot
+    be had: one that is installed and does not load is a tile without a picture."""
+    styles, unusable = [], {}
+    for text in texts:
+        try:
+            styles.append(subjects.style_variable(text))
+        except StyleError as error:
+            if not tolerant:
+                raise
+            styles.append(text)
+            unusable[text] = str(error)
+    return styles, unusable
 
 
 def all_styles() -> list[str]:

@@ -130,10 +130,11 @@ def test_a_command_that_makes_no_sense_ends_before_any_run(
 def test_ctrl_c_leaves_no_process_behind(tmp_path: Path) -> None:
     mark = f"endless_{os.getpid()}.py"
     script(tmp_path, mark, "import subprocess, sys, time\nimport OpenGL.GL\n"
-           "subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(300)', sys.argv[0]])\n"
-           "while True: pass\n")
+           "subprocess.Popen([sys.executable, '-c', 'import signal; signal.pause()', sys.argv[0]])\n"
+           "import signal; signal.pause()\n")
     with subprocess.Popen(
-        [sys.executable, "-m", "glshim", "gallery", mark, "--styles", "none,raskar,crease"],
+        [sys.executable, "-m", "glshim", "gallery", mark, "--styles", "none,raskar,crease",
+         "--timeout", "40"],
         cwd=tmp_path, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
     ) as gallery:
