@@ -31,7 +31,8 @@ class Pipeline:
     def __init__(self, styler: Styler) -> None:
         self.styler = styler
         self._surface = Surface(styler.surface)
-        wanted = Wanted(colours=styler.wants_colours, normals=styler.wants_normals)
+        wanted = Wanted(colours=styler.wants_colours, normals=styler.wants_normals,
+                        lights=styler.wants_lights)  # fmt: skip
         self._follower = Follower(self, wanted)
         self._broken = False
 
@@ -75,11 +76,11 @@ class Pipeline:
 
     def layer_ends(self, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the backend adds it."""
-        over, fresh = scene.layer.over, scene.layer.fresh
+        over, fresh, lighting = scene.layer.over, scene.layer.fresh, scene.layer.lighting
         items = scene.layer.take()
         if not items:
             return
-        draws = list(self.styler.draws(Layer(items, light(), over, fresh)))
+        draws = list(self.styler.draws(Layer(items, light(), over, fresh, lighting)))
         if not draws:
             return
         try:

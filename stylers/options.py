@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glshim.styling.protocol import option
+from glshim.styling.protocol import Layer, option
 from stylers.strokes import MADE
 
 
@@ -37,3 +37,48 @@ def texture_length(line: str) -> Any:
         high=4096.0,
         unit="px",
     )
+
+
+def textures() -> Any:
+    """``textures``: between `Styler.surface` ``paint`` and ``colours``."""
+    return option(
+        "app", help="the app's textures, or its colours alone", choices=("app", "off")
+    )
+
+
+def shade_unlit() -> Any:
+    """``shade_unlit``, for `shades`."""
+    return option(
+        "auto",
+        help="what the app draws without lights: shaded by a light behind the viewer's shoulder, "
+        "left as it is, or (auto) shaded where nothing is lit by the app",
+        choices=("auto", "off", "head"),
+    )
+
+
+def shades(shade_unlit: str, layer: Layer) -> bool:
+    """Whether polygons that the app drew without lights are shaded."""
+    return shade_unlit == "head" or (shade_unlit == "auto" and layer.lighting is None)
+
+
+def crease_angle(default: float) -> Any:
+    """``crease_angle``."""
+    return option(
+        default, help="creases are where polygons turn by more", low=0.0, high=180.0,
+        unit="degrees",
+    )  # fmt: skip
+
+
+def tolerance() -> Any:
+    """``tolerance``: of mesh recovery."""
+    return option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
+
+
+def paper(default: str) -> Any:
+    """``paper``: see `stylers.edge_mesh.tones.tone_passes`."""
+    return option(
+        default, help="what is behind the surfaces: as the app drew it, or paper of a colour",
+        choices=("app",), colour=True,
+    )  # fmt: skip

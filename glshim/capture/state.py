@@ -38,6 +38,7 @@ _INTEGERS = (
     ("stencil", 0x0B92, 1),
     ("stencil", 0x0B97, 1),
     ("stencil", 0x0B93, 1),
+    ("lighting", 0x0B50, 1),
     *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
 _MODELVIEW_BYTES = 64
@@ -73,7 +74,9 @@ class DrawState:
 class StateReader:
     """Reads :class:`DrawState`; equal states give the same object."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, lighting: bool = False) -> None:
+        """lighting: whether `Camera.lit` is asked for."""
+        self._lighting = lighting
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
         self._stencil_calls: list[Callable[[], None]] = []
@@ -118,7 +121,7 @@ class StateReader:
             call = partial(integers, name, self._at(offset))
             if kind == "stencil":
                 self._stencil_calls.append(call)
-            elif kind != "clip" or self._clips:
+            elif {"clip": self._clips, "lighting": self._lighting}.get(kind, True):
                 self._calls.append(call)
             if kind == "stencil_test":
                 self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
@@ -139,7 +142,7 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil,
+            c.clip_planes, c.stencil, c.lit,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
@@ -164,6 +167,7 @@ def _decode_rest(key: bytes) -> DrawState:
         scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
+        lit=bool(values["lighting"][0]),
     )
     func = values["depth_func"][0]
     depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)

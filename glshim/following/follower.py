@@ -15,6 +15,7 @@ from ..assembly.immediate import POLYGON_MODES, QUADS
 from ..assembly.lists import Bare, Call, Change, Closing, Opening, Primitive
 from ..assembly.rectangles import rectangle
 from ..capture import forward
+from ..capture.lights import lighting
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
 from ..capture.state import DrawState, colour, normal
@@ -355,6 +356,8 @@ class Follower:
         if layer.carries(state):
             scene.drawing = state
             if not compiling:
+                if state.camera.lit and layer.lighting is None:
+                    layer.lighting = lighting()
                 self.studio.cover()
         elif state.obstacle:
             say_once(f"unstyled: polygons drawn while {state.obstacle}")

@@ -34,7 +34,7 @@ class Scene:
         """wanted: what batches shall come with."""
         self.refused = unsupported()
         """Why nothing can be styled here; empty when it can."""
-        self.reader = StateReader()
+        self.reader = StateReader(lighting=wanted.lights)
         self.layer = LayerCollector(wanted)
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""

@@ -34,6 +34,8 @@ class Camera:
     """Enabled user clip planes, in eye space."""
     stencil: tuple[int, int, int] | None = None
     """glStencilFunc's function, reference and mask, or None when the stencil test is off."""
+    lit: bool = False
+    """GL_LIGHTING was on; read for stylers that want lights alone, and no part of the view."""
 
     def affine(self) -> Camera:
         """An equal camera whose modelview is affine: an app that multiplies its perspective onto

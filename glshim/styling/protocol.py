@@ -285,9 +285,15 @@ class Styler:
         return False
 
     @property
+    def wants_lights(self) -> bool:
+        """Whether `Camera.lit` and `Layer.lighting` shall say how the app lights its polygons."""
+        return False
+
+    @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour.
-        It is the option ``fill`` of styles that have one."""
+        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), ``"paint"``
+        (the app's colours and textures without its light), ``"colours"`` (without its textures
+        and fog, too), a colour. It is the option ``fill`` of styles that have one."""
         fill: str | Colour = getattr(self, "fill", "app")
         return fill
 

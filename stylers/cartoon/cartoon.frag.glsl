@@ -1,0 +1,42 @@
+// What:   flat bands of light over the app's paints, as on a cel: highlights and rims too.
+// Inputs: pixel.glsl, lamps.glsl (stylers/shading): the app's picture holds its paints, unlit.
+// Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
+//         2000, section 3; rims: P. Barla et al., "X-Toon", NPAR 2006, section 3.2 (a tone that
+//         depends on n . v). Numpy reference of the bands: glshim/geometry/lights.py.
+
+uniform float bands;
+uniform float shadow;       // brightness of the darkest band
+uniform vec3 shadow_tint;
+uniform float highlight;    // brightness of highlights
+uniform float gloss;
+uniform float rim;          // brightness of rims
+uniform float paints;       // levels of the app's paint; 0: as it is
+
+const float RIM = 0.35;     // n . v below which a rim is
+
+float brightest(vec3 c) { return max(max(c.r, c.g), c.b); }
+
+// An edge at zero, smooth over a pixel.
+float edge(float value) { return smoothstep(-0.7, 0.7, value / max(fwidth(value), 1e-5)); }
+
+vec3 posterised(vec3 c) {
+    float value = brightest(c);
+    if (paints == 0.0 || value <= 0.0) return c;
+    return c * (max(floor(value * paints + 0.5), 0.5) / paints / value);
+}
+
+void main() {
+    Pixel p = this_pixel();
+    vec3 light = incoming(p);
+    float level = clamp(brightest(light), 0.0, 1.0);
+    float blur = p.crisp ? 0.0 : min(bands * fwidth(level), 0.5);
+    level = min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
+    float shine = edge(brightest(gleaming(p, gloss)) - 0.5);
+    float outer = edge(RIM - dot(p.n, p.sight));
+    bool bent = is_bent(p);
+    if (!p.own) discard;
+    vec3 hue = brightest(light) > 0.0 ? light / brightest(light) : vec3(1.0);
+    vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, hue, level);
+    if (bent && !p.crisp) found += highlight * shine + rim * outer * level * (1.0 - shine);
+    colour = vec4(min(found, 1.0), 1.0);
+}
