@@ -82,3 +82,8 @@ def paper(default: str) -> Any:
         default, help="what is behind the surfaces: as the app drew it, or paper of a colour",
         choices=("app",), colour=True,
     )  # fmt: skip
+
+
+def intersections() -> Any:
+    """``intersections``, for `crossings`."""
+    return option(True, help="lines where polygons pass through each other")

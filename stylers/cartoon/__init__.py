@@ -15,6 +15,7 @@ from glshim.geometry.lights import Light
 from glshim.styling.passes import Body, Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options
+from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
 from stylers.shading import UPPER_LEFT, by_light, lamp_uniforms, lenses, lit_passes, screen_shader
 
@@ -30,6 +31,9 @@ class Cartoon(Styler):
     name: ClassVar[str] = "cartoon"
 
     bands: float = option(3.0, help="flat shades of light", low=2.0, high=16.0)
+    exposure: float = option(
+        1.5, help="factor of the light before it is cut into bands", low=0.1, high=10.0
+    )
     shadow: float = option(0.55, help="brightness of the darkest band", low=0.0, high=1.0)
     shadow_tint: Colour = option(  # noqa: RUF009
         "#d6d0f0", help="colour that the darkest band is tinted with"
@@ -49,6 +53,9 @@ class Cartoon(Styler):
     )  # fmt: skip
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
+    saturation: float = option(
+        1.2, help="how pure colours are; 1: as the app has them, 0: grey", low=0.0, high=3.0
+    )
     posterise: float = option(
         0.0, help="levels of brightness of paints and textures; 0: as they are", low=0.0, high=64.0
     )
@@ -57,6 +64,7 @@ class Cartoon(Styler):
         1.5, help="width of lines within outlines; 0: none", low=0.0, high=64.0, unit="px"
     )
     crease_angle: float = options.crease_angle(55.0)
+    intersections: bool = options.intersections()
     ink: Colour = option("#101014", help="colour of the lines")  # noqa: RUF009
     tolerance: float = options.tolerance()
 
@@ -84,12 +92,15 @@ class Cartoon(Styler):
         if options.shades(self.shade_unlit, layer):
             yield from self._shaded(unlit, head)
         yield from self._lines.draws(layer)
+        if self.intersections and self.line_width > 0.0:
+            yield from crossings(layer, self.line_width, self.ink)
 
     def _shaded(self, found: tuple[Body, ...], lights: tuple[Light, ...]) -> Iterable[Pass]:
         look: dict[str, Uniform] = {
-            "bands": float(round(self.bands)), "shadow": self.shadow,
+            "bands": float(round(self.bands)), "exposure": self.exposure, "shadow": self.shadow,
             "shadow_tint": self.shadow_tint, "highlight": self.highlight, "gloss": self.gloss,
-            "rim": self.rim, "paints": float(round(self.posterise)),
+            "rim": self.rim, "saturation": self.saturation,
+            "paints": float(round(self.posterise)),
         }  # fmt: skip
         for lens in lenses(found):
             yield from lit_passes(

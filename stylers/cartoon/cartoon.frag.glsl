@@ -5,13 +5,16 @@
 //         depends on n . v). Numpy reference of the bands: glshim/geometry/lights.py.
 
 uniform float bands;
+uniform float exposure;     // of the light
 uniform float shadow;       // brightness of the darkest band
 uniform vec3 shadow_tint;
 uniform float highlight;    // brightness of highlights
 uniform float gloss;
 uniform float rim;          // brightness of rims
+uniform float saturation;   // 1: as the app has it
 uniform float paints;       // levels of the app's paint; 0: as it is
 
+const vec3 LUMA = vec3(0.2126, 0.7152, 0.0722);  // ITU-R BT.709
 const float RIM = 0.35;     // n . v below which a rim is
 
 float brightest(vec3 c) { return max(max(c.r, c.g), c.b); }
@@ -28,7 +31,7 @@ vec3 posterised(vec3 c) {
 void main() {
     Pixel p = this_pixel();
     vec3 light = incoming(p);
-    float level = clamp(brightest(light), 0.0, 1.0);
+    float level = clamp(exposure * brightest(light), 0.0, 1.0);
     float blur = p.crisp ? 0.0 : min(bands * fwidth(level), 0.5);
     level = min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
     float shine = edge(brightest(gleaming(p, gloss)) - 0.5);
@@ -38,5 +41,6 @@ void main() {
     vec3 hue = brightest(light) > 0.0 ? light / brightest(light) : vec3(1.0);
     vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, hue, level);
     if (bent && !p.crisp) found += highlight * shine + rim * outer * level * (1.0 - shine);
-    colour = vec4(min(found, 1.0), 1.0);
+    found = mix(vec3(dot(found, LUMA)), found, saturation);
+    colour = vec4(clamp(found, 0.0, 1.0), 1.0);
 }

@@ -13,6 +13,7 @@ from typing import ClassVar
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
 from stylers import options
+from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import tone_passes
 
@@ -38,6 +39,7 @@ class HiddenLine(Styler):
     hidden: str = option(
         "none", help="lines behind polygons", choices=("none", "dashed", "dimmed")
     )
+    intersections: bool = options.intersections()
     tolerance: float = options.tolerance()
 
     @property
@@ -49,6 +51,8 @@ class HiddenLine(Styler):
         """Paper behind the polygons, and lines."""
         yield from tone_passes("app", self.paper, self.line, layer)
         yield from self._lines.draws(layer)
+        if self.intersections:
+            yield from crossings(layer, self.width, self.line)
 
     @property
     def _lines(self) -> EdgeMesh:

@@ -15,6 +15,7 @@ from glshim.geometry.lights import Light
 from glshim.styling.passes import Pass, bodies
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options
+from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import tone_passes
 from stylers.shading import UPPER_LEFT, by_light, lamp_uniforms, lenses, lit_passes, screen_shader
@@ -61,7 +62,11 @@ class Technical(Styler):
     hidden: str = option(
         "dashed", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
     )
+    hidden_share: float = option(
+        0.4, help="share of the ink of hidden lines that are dashed or solid", low=0.0, high=1.0
+    )
     crease_angle: float = options.crease_angle(40.0)
+    intersections: bool = options.intersections()
     tolerance: float = options.tolerance()
 
     @property
@@ -94,6 +99,8 @@ class Technical(Styler):
         yield from tone_passes("app", self.paper, self.ink, layer)
         for lines in (self._inner, self._outlines):
             yield from lines.draws(layer)
+        if self.intersections:
+            yield from crossings(layer, self.line_width, self.ink)
 
     def _lamp(self, layer: Layer) -> Light:
         given = layer.lighting.lights if layer.lighting is not None else ()
@@ -108,7 +115,8 @@ class Technical(Styler):
             contour_width=self.line_width, boundary_width=self.line_width,
             ridge_width=self.line_width, valley_width=self.line_width,
             contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge, valley_ink=self.ink,
-            hidden=self.hidden, tolerance=self.tolerance, contours=self.hidden != "none",
+            hidden=self.hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
+            contours=self.hidden != "none",
         )  # fmt: skip
 
     @property
