@@ -39,6 +39,7 @@ _INTEGERS = (
     ("stencil", 0x0B97, 1),
     ("stencil", 0x0B93, 1),
     ("lighting", 0x0B50, 1),
+    ("specular", 0x1202, 4),  # of the front material: floats
     *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
 _MODELVIEW_BYTES = 64
@@ -49,6 +50,8 @@ _LIGHT_0, _POSITION = 0x4000, 0x1203
 _LIGHTING, _COLOR_MATERIAL, _CURRENT_COLOR = 0x0B50, 0x0B57, 0x0B00
 _FRONT, _DIFFUSE = 0x0404, 0x1201
 _CURRENT_NORMAL = 0x0B02
+_DULL = 0.05
+"""A material with less of a specular colour does not gleam."""
 _LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
@@ -75,7 +78,7 @@ class StateReader:
     """Reads :class:`DrawState`; equal states give the same object."""
 
     def __init__(self, *, lighting: bool = False) -> None:
-        """lighting: whether `Camera.lit` is asked for."""
+        """lighting: whether `Camera.lit` and `Camera.gleams` are asked for."""
         self._lighting = lighting
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
@@ -121,7 +124,10 @@ class StateReader:
             call = partial(integers, name, self._at(offset))
             if kind == "stencil":
                 self._stencil_calls.append(call)
-            elif {"clip": self._clips, "lighting": self._lighting}.get(kind, True):
+            elif kind == "specular" and self._lighting:
+                material = quick("glGetMaterialfv")
+                self._calls.append(partial(material, _FRONT, name, self._at(offset)))
+            elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
             if kind == "stencil_test":
                 self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
@@ -142,12 +148,17 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil, c.lit,
+            c.clip_planes, c.stencil, c.lit, c.gleams,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
             rest.obstacle, rest.fill_faces,
         )  # fmt: skip
+
+
+def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
+    """Whether a kind of value is in the key."""
+    return {"clip": clips, "lighting": lighting, "specular": False}.get(kind, True)
 
 
 def _decode_rest(key: bytes) -> DrawState:
@@ -168,6 +179,7 @@ def _decode_rest(key: bytes) -> DrawState:
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
         lit=bool(values["lighting"][0]),
+        gleams=max(struct.unpack("=4f", struct.pack("=4i", *values["specular"]))[:3]) > _DULL,
     )
     func = values["depth_func"][0]
     depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)

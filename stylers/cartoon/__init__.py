@@ -39,8 +39,9 @@ class Cartoon(Styler):
         "#d6d0f0", help="colour that the darkest band is tinted with"
     )
     highlight: float = option(
-        0.3, help="brightness of highlights on bent surfaces", low=0.0, high=1.0
-    )
+        0.3, help="brightness of highlights, where surfaces of shiny materials are bent",
+        low=0.0, high=1.0,
+    )  # fmt: skip
     gloss: float = option(
         40.0, help="exponent of highlights: greater is smaller", low=1.0, high=1000.0
     )
@@ -59,11 +60,11 @@ class Cartoon(Styler):
     posterise: float = option(
         0.0, help="levels of brightness of paints and textures; 0: as they are", low=0.0, high=64.0
     )
-    outline_width: float = option(3.5, help="width of outlines", low=0.5, high=64.0, unit="px")
+    outline_width: float = option(3.0, help="width of outlines", low=0.5, high=64.0, unit="px")
     line_width: float = option(
         1.5, help="width of lines within outlines; 0: none", low=0.0, high=64.0, unit="px"
     )
-    crease_angle: float = options.crease_angle(55.0)
+    crease_angle: float = options.crease_angle(60.0)
     intersections: bool = options.intersections()
     ink: Colour = option("#101014", help="colour of the lines")  # noqa: RUF009
     tolerance: float = options.tolerance()
@@ -114,7 +115,7 @@ class Cartoon(Styler):
         return EdgeMesh(
             ridges=inner, valleys=inner, ridge_angle=180.0 - self.crease_angle,
             valley_angle=180.0 + self.crease_angle,
-            contour_width=self.outline_width, boundary_width=max(self.outline_width / 2.0, 0.5),
+            contour_width=self.outline_width, boundary_width=self.outline_width,
             ridge_width=width, valley_width=width, contour_ink=self.ink, boundary_ink=self.ink,
             ridge_ink=self.ink, valley_ink=self.ink, tolerance=self.tolerance,
         )  # fmt: skip

@@ -40,7 +40,8 @@ void main() {
     if (!p.own) discard;
     vec3 hue = brightest(light) > 0.0 ? light / brightest(light) : vec3(1.0);
     vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, hue, level);
-    if (bent && !p.crisp) found += highlight * shine + rim * outer * level * (1.0 - shine);
+    if (!p.gleams) shine = 0.0;
+    if (bent) found += highlight * shine + rim * outer * level * (1.0 - shine);
     found = mix(vec3(dot(found, LUMA)), found, saturation);
     colour = vec4(clamp(found, 0.0, 1.0), 1.0);
 }

@@ -6,7 +6,7 @@ T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990;
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from importlib.resources import files
 from math import cos, isfinite, radians
@@ -47,17 +47,18 @@ def screen_shader(name: str, fragment: str, *, lamps: bool = True) -> MeshShader
 
 def lit_passes(
     shader: MeshShader, lens: tuple[Body, ...], uniforms: Mapping[str, Uniform], tolerance: float
-) -> tuple[Pass, Pass]:
+) -> Iterator[Pass]:
     """For bodies that are seen through one lens (`lenses`) the G-buffer, and a shader of
     `screen_shader` over the pixels of their window. tolerance: object units at which corners are
     one."""
-    return (
-        Pass(
-            _BUFFER, lens, "surface", state=_NEAREST, creases=_CREASES, buffer=True, sheet=UNDER,
-            tolerance=tolerance,
-        ),
-        Pass(shader, lens[:1], "screen", state=_OVER_ALL, uniforms=uniforms, sheet=UNDER),
-    )  # fmt: skip
+    for gleams in (False, True):
+        alike = tuple(body for body in lens if body.camera.gleams is gleams)
+        if alike:
+            yield Pass(
+                _BUFFER, alike, "surface", state=_NEAREST, creases=_CREASES, buffer=True,
+                sheet=UNDER, tolerance=tolerance, uniforms={"gleams": float(gleams)},
+            )  # fmt: skip
+    yield Pass(shader, lens[:1], "screen", state=_OVER_ALL, uniforms=uniforms, sheet=UNDER)
 
 
 def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
@@ -72,12 +73,13 @@ def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
 
 
 def by_light(layer: Layer) -> tuple[tuple[Body, ...], tuple[Body, ...]]:
-    """The bodies that the app lit, and those that it did not."""
-    lit, unlit = (
-        bodies(replace(layer, items=tuple(item for item in layer.items if item[1].lit is on)))
-        for on in (True, False)
-    )
-    return lit, unlit
+    """The bodies that the app lit, parted by whether they gleam, and those that it did not."""
+
+    def some(*kinds: tuple[bool, bool]) -> tuple[Body, ...]:
+        items = (item for item in layer.items if (item[1].lit, item[1].gleams) in kinds)
+        return bodies(replace(layer, items=tuple(items)))
+
+    return some((True, False)) + some((True, True)), some((False, False)) + some((False, True))
 
 
 def lamp_uniforms(lights: tuple[Light, ...], lens: tuple[Body, ...]) -> dict[str, Uniform]:

@@ -44,7 +44,7 @@ vec3 incoming(Pixel p) {
 }
 
 // Whether a surface is bent there: a flat face under parallel light would shine as a whole.
-bool is_bent(Pixel p) { return length(fwidth(p.n)) > 1e-4; }
+bool is_bent(Pixel p) { return !p.crisp && length(fwidth(p.n)) > 1e-4; }
 
 // Highlights, of materials that gleam white.
 vec3 gleaming(Pixel p, float gloss) {

@@ -17,6 +17,7 @@ struct Pixel {
     vec3 sight;   // unit vector to the viewer
     vec3 shown;   // the app's colour
     bool own;     // the surface of the G-buffer is what the app shows
+    bool gleams;  // the app's material does
     bool crisp;   // a crease, or another surface, lies within a pixel
 };
 
@@ -49,7 +50,8 @@ float depth_of(vec3 spot) {
 Pixel this_pixel() {
     vec2 at = gl_FragCoord.xy;
     vec4 here = drawn(at);
-    vec3 n = here.xyz;
+    float size = length(here.xyz);
+    vec3 n = size > 0.0 ? here.xyz / size : vec3(0.0);
     vec3 spot = place(at, away * here.a);
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
     // What the app drew besides its meshes, or over them, stays. Drivers cut a quad that is not
@@ -58,7 +60,7 @@ Pixel this_pixel() {
     float pixel = distance(place(at + vec2(1.0, 0.0), away * here.a), spot);
     float deep = abs(depth_of(spot - pixel * sight) - away * here.a);
     float gap = abs(finished(at) - away * here.a);
-    bool own = dot(n, n) > 0.0 && gap <= hair + (0.25 + blur) * steep + BENT * deep;
-    return Pixel(n, spot, sight, texelFetch(app_colour, ivec2(at), 0).rgb, own,
+    bool own = size > 0.0 && gap <= hair + (0.25 + blur) * steep + BENT * deep;
+    return Pixel(n, spot, sight, texelFetch(app_colour, ivec2(at), 0).rgb, own, size > 1.5,
                  length(fwidth(n)) > CREASED);
 }

@@ -12,7 +12,7 @@ from importlib.resources import files
 from typing import ClassVar
 
 from glshim.geometry.lights import Light
-from glshim.styling.passes import Pass, bodies
+from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options
 from stylers.crossings import crossings
@@ -37,8 +37,9 @@ class Technical(Styler):
     alpha: float = option(0.2, help="share of the paint in the cool tone", low=0.0, high=1.0)
     beta: float = option(0.6, help="share of the paint in the warm tone", low=0.0, high=1.0)
     highlight: float = option(
-        0.4, help="brightness of highlights on bent surfaces", low=0.0, high=1.0
-    )
+        0.4, help="brightness of highlights, where surfaces of shiny materials are bent",
+        low=0.0, high=1.0,
+    )  # fmt: skip
     gloss: float = option(
         30.0, help="exponent of highlights: greater is smaller", low=1.0, high=1000.0
     )
@@ -53,7 +54,7 @@ class Technical(Styler):
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
     paper: str | Colour = options.paper("#ffffff")  # noqa: RUF009
-    outline_width: float = option(3.0, help="width of outlines", low=0.5, high=64.0, unit="px")
+    outline_width: float = option(2.5, help="width of outlines", low=0.5, high=64.0, unit="px")
     line_width: float = option(1.0, help="width of the other lines", low=0.5, high=64.0, unit="px")
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     white_edges: bool = option(
@@ -87,7 +88,8 @@ class Technical(Styler):
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """Tones, paper and lines."""
         unlit = options.shades(self.shade_unlit, layer)
-        found = bodies(layer) if unlit else by_light(layer)[0]
+        lit, others = by_light(layer)
+        found = lit + others if unlit else lit
         paint = (0.0, 0.0, 0.0, 0.0) if isinstance(self.paint, str) else (*self.paint, 1.0)
         look: dict[str, Uniform] = {
             "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
@@ -122,6 +124,7 @@ class Technical(Styler):
     @property
     def _outlines(self) -> EdgeMesh:
         return EdgeMesh(
-            ridges=False, valleys=False, boundary=False, contour_width=self.outline_width,
-            contour_ink=self.ink, tolerance=self.tolerance,
+            ridges=False, valleys=False, contour_width=self.outline_width,
+            boundary_width=self.outline_width, contour_ink=self.ink, boundary_ink=self.ink,
+            tolerance=self.tolerance,
         )  # fmt: skip

@@ -17,7 +17,8 @@ void main() {
     vec3 warm = min(vec3(yellow, yellow, 0.0) + beta * base, 1.0);
     vec3 found = mix(cool, warm, 0.5 + 0.5 * dot(p.n, f.way));
     float gleam = pow(max(dot(reflect(-f.way, p.n), p.sight), 0.0), gloss);
-    if (is_bent(p) && !p.crisp) found += highlight * gleam;
+    bool bent = is_bent(p);
     if (!p.own) discard;
+    if (bent && p.gleams) found += highlight * gleam;
     colour = vec4(min(found, 1.0), 1.0);
 }
