@@ -70,9 +70,9 @@ def crease_angle(default: float) -> Any:
 
 
 def tolerance() -> Any:
-    """``tolerance``: of mesh recovery."""
+    """``tolerance``: of mesh recovery; what rounding parts is one."""
     return option(
-        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+        1e-5, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
     )
 
 

@@ -16,12 +16,13 @@ _LIGHTING, _COLOR_MATERIAL, _TWO_SIDE, _PROGRAM_TWO_SIDE = 0x0B50, 0x0B57, 0x0B5
 _FACE, _PARAMETER = 0x0B55, 0x0B56
 _BACK, _FRONT, _DIFFUSE, _AMBIENT_AND_DIFFUSE = 0x0405, 0x0404, 0x1201, 0x1602
 _FOG_SOURCE, _FOG_COORDINATE = 0x8450, 0x8451
+_NORMALIZE, _RESCALE = 0x0BA1, 0x803A
 _ACTIVE, _TEXTURE_0, _UNITS = 0x84E0, 0x84C0, 4
 """Units whose coordinates are handed on; those beyond have none."""
 _COORDINATES, _SWITCHES, _MODE = 0x2000, 0x0C60, 0x2500
 _MADE = {0x2401: 1, 0x2400: 2, 0x2402: 3, 0x8512: 4, 0x8511: 5}
 """Object, eye, sphere, reflection and normal map, as ``paint.vert.glsl`` numbers them."""
-_NAMES = ("lit", "tracked", "two_sided", "fog_given", "made")
+_NAMES = ("lit", "tracked", "two_sided", "fog_given", "made", "normalised")
 
 
 class Paint:
@@ -53,6 +54,8 @@ class Paint:
         gl.glUniform1i(self._at["two_sided"], int(two_sided))
         if self._textures:
             gl.glUniform1i(self._at["fog_given"], int(integer(_FOG_SOURCE) == _FOG_COORDINATE))
+            unit, scaled = bool(gl.glIsEnabled(_NORMALIZE)), bool(gl.glIsEnabled(_RESCALE))
+            gl.glUniform1i(self._at["normalised"], 1 if unit else 2 * scaled)
             self._ask_for_made()
             gl.glUniform4iv(self._at["made"], _UNITS, ctypes.addressof(self._made))
         self._turned_on = two_sided and not gl.glIsEnabled(_PROGRAM_TWO_SIDE)

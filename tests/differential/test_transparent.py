@@ -28,11 +28,12 @@ def test_none_is_plain_to_the_byte(name: str) -> None:
 
 STYLES = (
     "raskar", "edge_mesh:marked=on,smooth=on,suggestive=on,texture=pen,hidden=dashed",
-    "edge_mesh:strokes=half,outer=on,hidden=dimmed", "fins", "crease", "two_pass:fill=#ff8000",
+    "edge_mesh:strokes=half,outer=on,hidden=dimmed", "fins", "crease", "two_pass:fill=#ff8000", "cartoon",
 )  # fmt: skip
 VARIANTS = (
     "shadow:light=fixed", "fur:layers=2", "fins:fill=cel,joints=overhang",
     "crease:texture=pen,hidden_by=back_faces,indicator=verifiers",
+    "technical", "hiddenline:edges=all,hidden=dashed", "cartoon:textures=off,shade_unlit=head",
 )  # fmt: skip
 """More of what is drawn in the same way: each scene under one of them, or with EVERY_STYLE=1 in the
 environment under all."""

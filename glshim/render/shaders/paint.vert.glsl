@@ -9,6 +9,8 @@ uniform bool two_sided;
 uniform bool fog_given;  // fog by gl_FogCoord, else by distance
 uniform ivec4 made[4];   // texture coordinates s, t, r, q of each unit: GIVEN or how they are made
 
+uniform int normalised;  // 1: GL_NORMALIZE, 2: GL_RESCALE_NORMAL
+
 const int GIVEN = 0, OBJECT = 1, EYE = 2, SPHERE = 3, REFLECTION = 4, NORMAL = 5;
 
 float coordinate(int way, float given, int k, vec4 eye, vec3 n, vec4 object, vec4 plane) {
@@ -38,7 +40,9 @@ vec4 placed(int unit, vec4 given, vec4 eye, vec3 n) {
 
 void main() {
     vec4 eye = gl_ModelViewMatrix * gl_Vertex;
-    vec3 n = normalize(gl_NormalMatrix * gl_Normal);
+    vec3 n = gl_NormalMatrix * gl_Normal;
+    if (normalised == 1) n = normalize(n);
+    if (normalised == 2) n *= gl_NormalScale;
     gl_Position = ftransform();
     gl_ClipVertex = eye;
     vec4 front = gl_Color, back = gl_Color;
