@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glshim.styling.protocol import Layer, option
+from glshim.styling.protocol import Colour, Layer, option
 from stylers.strokes import MADE
 
 
@@ -76,7 +76,7 @@ def tolerance() -> Any:
     )
 
 
-def paper(default: str) -> Any:
+def paper(default: Colour) -> Any:
     """``paper``: see `stylers.edge_mesh.tones.tone_passes`."""
     return option(
         default, help="what is behind the surfaces: as the app drew it, or paper of a colour",

@@ -84,6 +84,8 @@ class StateReader:
         self._calls: list[Callable[[], None]] = []
         self._stencil_calls: list[Callable[[], None]] = []
         self._stencil_test = ctypes.c_int32()
+        self._lit_calls: list[Callable[[], None]] = []
+        self._lit = ctypes.c_int32()
         self._clips = False
         self._known: dict[bytes, DrawState] = {}
         self._rest: dict[bytes, DrawState] = {}
@@ -103,6 +105,9 @@ class StateReader:
             get()
         if self._stencil_test.value:
             for get in self._stencil_calls:
+                get()
+        if self._lit.value:  # only then: Mesa flushes what it holds when it is asked for a material
+            for get in self._lit_calls:
                 get()
         key = bytes(self._buffer)
         state = self._known.get(key)
@@ -124,11 +129,13 @@ class StateReader:
             call = partial(integers, name, self._at(offset))
             if kind == "stencil":
                 self._stencil_calls.append(call)
-            elif kind == "specular" and self._lighting:
+            elif kind == "specular":
                 material = quick("glGetMaterialfv")
-                self._calls.append(partial(material, _FRONT, name, self._at(offset)))
+                self._lit_calls = [partial(material, _FRONT, name, self._at(offset))]
             elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
+            if kind == "lighting":
+                self._lit = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             if kind == "stencil_test":
                 self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             offset += count
@@ -156,9 +163,15 @@ class StateReader:
         )  # fmt: skip
 
 
+def _brightest(words: tuple[int, ...]) -> float:
+    """The greatest channel of a colour whose floats were read as integers."""
+    red, green, blue, _ = struct.unpack("=4f", struct.pack("=4i", *words))
+    return max(float(red), float(green), float(blue))
+
+
 def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
     """Whether a kind of value is in the key."""
-    return {"clip": clips, "lighting": lighting, "specular": False}.get(kind, True)
+    return {"clip": clips, "lighting": lighting}.get(kind, True)
 
 
 def _decode_rest(key: bytes) -> DrawState:
@@ -179,7 +192,7 @@ def _decode_rest(key: bytes) -> DrawState:
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
         lit=bool(values["lighting"][0]),
-        gleams=max(struct.unpack("=4f", struct.pack("=4i", *values["specular"]))[:3]) > _DULL,
+        gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )
     func = values["depth_func"][0]
     depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)

@@ -17,6 +17,8 @@ from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import tone_passes
 
+_WHITE: Colour = (1.0, 1.0, 1.0)
+
 
 @dataclass(frozen=True)
 class HiddenLine(Styler):
@@ -25,12 +27,12 @@ class HiddenLine(Styler):
     name: ClassVar[str] = "hiddenline"
 
     polygons: str | Colour = option(  # noqa: RUF009
-        "#ffffff", help="colour of the polygons; app: as the app drew them",
+        _WHITE, help="colour of the polygons; app: as the app drew them",
         choices=("app",), colour=True,
     )  # fmt: skip
     line: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     width: float = option(1.5, help="width of the lines", low=0.5, high=64.0, unit="px")
-    paper: str | Colour = options.paper("#ffffff")  # noqa: RUF009
+    paper: str | Colour = options.paper(_WHITE)  # noqa: RUF009
     edges: str = option(
         "features", help="outlines, creases and open edges, or the sides of all polygons",
         choices=("features", "all"),

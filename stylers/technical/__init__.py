@@ -53,7 +53,7 @@ class Technical(Styler):
     )  # fmt: skip
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
-    paper: str | Colour = options.paper("#ffffff")  # noqa: RUF009
+    paper: str | Colour = options.paper(_WHITE)  # noqa: RUF009
     outline_width: float = option(2.5, help="width of outlines", low=0.5, high=64.0, unit="px")
     line_width: float = option(1.0, help="width of the other lines", low=0.5, high=64.0, unit="px")
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009

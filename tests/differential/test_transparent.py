@@ -28,7 +28,8 @@ def test_none_is_plain_to_the_byte(name: str) -> None:
 
 STYLES = (
     "raskar", "edge_mesh:marked=on,smooth=on,suggestive=on,texture=pen,hidden=dashed",
-    "edge_mesh:strokes=half,outer=on,hidden=dimmed", "fins", "crease", "two_pass:fill=#ff8000", "cartoon",
+    "edge_mesh:strokes=half,outer=on,hidden=dimmed", "fins", "crease", "two_pass:fill=#ff8000",
+    "cartoon",
 )  # fmt: skip
 VARIANTS = (
     "shadow:light=fixed", "fur:layers=2", "fins:fill=cel,joints=overhang",
@@ -49,7 +50,10 @@ def styled_scenes() -> Iterator[object]:
 
 @pytest.mark.parametrize(("name", "style"), styled_scenes())
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
-    assert plain(name).differences(run(SCENES[name], style), pictures=False) == {}
+    found = plain(name).differences(run(SCENES[name], style), pictures=False)
+    if style.startswith(("cartoon", "technical")):  # what paints comes before the app's own program
+        assert all(min(numbers) > 0 for numbers in found.pop("GL_CURRENT_PROGRAM", ()))
+    assert found == {}
 
 
 @pytest.mark.parametrize("name", SCENES)
