@@ -85,5 +85,10 @@ def paper(default: Colour) -> Any:
 
 
 def intersections() -> Any:
-    """``intersections``, for `crossings`."""
-    return option(True, help="lines where polygons pass through each other")
+    """``intersections``, for `stylers.crossings.crossings`."""
+    return option(
+        "auto",
+        help="lines where polygons pass through each other, which costs drawing all of them twice; "
+        "auto: of what has at most 20,000 polygons",
+        choices=("auto", "on", "off"),
+    )

@@ -65,7 +65,7 @@ class Cartoon(Styler):
         1.5, help="width of lines within outlines; 0: none", low=0.0, high=64.0, unit="px"
     )
     crease_angle: float = options.crease_angle(60.0)
-    intersections: bool = options.intersections()
+    intersections: str = options.intersections()
     ink: Colour = option("#101014", help="colour of the lines")  # noqa: RUF009
     tolerance: float = options.tolerance()
 
@@ -93,8 +93,8 @@ class Cartoon(Styler):
         if options.shades(self.shade_unlit, layer):
             yield from self._shaded(unlit, head)
         yield from self._lines.draws(layer)
-        if self.intersections and self.line_width > 0.0:
-            yield from crossings(layer, self.line_width, self.ink)
+        if self.line_width > 0.0:
+            yield from crossings(self.intersections, layer, self.line_width, self.ink)
 
     def _shaded(self, found: tuple[Body, ...], lights: tuple[Light, ...]) -> Iterable[Pass]:
         look: dict[str, Uniform] = {

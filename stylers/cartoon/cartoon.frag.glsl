@@ -28,18 +28,34 @@ vec3 posterised(vec3 c) {
     return c * (max(floor(value * paints + 0.5), 0.5) / paints / value);
 }
 
+// Light in bands, 0..1, whose edges are smooth over a pixel.
+float banded(float light, bool crisp) {
+    float level = clamp(exposure * light, 0.0, 1.0);
+    float blur = crisp ? 0.0 : min(bands * fwidth(level), 0.5);
+    return min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
+}
+
+// The colour of the light, flat as its bands are: each lamp's, by its own band.
+vec3 hue(Pixel p) {
+    vec3 found = vec3(0.0);
+    for (int k = 0; k < lamps; ++k) {
+        Falling f = falling(k, p);
+        float bright = brightest(lamp_shade[k]);
+        float own = banded(f.share * max(dot(p.n, f.way), 0.0) * bright, p.crisp);
+        if (bright > 0.0) found += own * lamp_shade[k] / bright;
+    }
+    return brightest(found) > 0.0 ? found / brightest(found) : vec3(1.0);
+}
+
 void main() {
     Pixel p = this_pixel();
-    vec3 light = incoming(p);
-    float level = clamp(exposure * brightest(light), 0.0, 1.0);
-    float blur = p.crisp ? 0.0 : min(bands * fwidth(level), 0.5);
-    level = min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
+    float level = banded(brightest(incoming(p)), p.crisp);
+    vec3 lit = hue(p);
     float shine = edge(brightest(gleaming(p, gloss)) - 0.5);
     float outer = edge(RIM - dot(p.n, p.sight));
     bool bent = is_bent(p);
     if (!p.own) discard;
-    vec3 hue = brightest(light) > 0.0 ? light / brightest(light) : vec3(1.0);
-    vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, hue, level);
+    vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, lit, level);
     if (!p.gleams) shine = 0.0;
     if (bent) found += highlight * shine + rim * outer * level * (1.0 - shine);
     found = mix(vec3(dot(found, LUMA)), found, saturation);

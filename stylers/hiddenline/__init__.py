@@ -41,7 +41,7 @@ class HiddenLine(Styler):
     hidden: str = option(
         "none", help="lines behind polygons", choices=("none", "dashed", "dimmed")
     )
-    intersections: bool = options.intersections()
+    intersections: str = options.intersections()
     tolerance: float = options.tolerance()
 
     @property
@@ -53,8 +53,7 @@ class HiddenLine(Styler):
         """Paper behind the polygons, and lines."""
         yield from tone_passes("app", self.paper, self.line, layer)
         yield from self._lines.draws(layer)
-        if self.intersections:
-            yield from crossings(layer, self.width, self.line)
+        yield from crossings(self.intersections, layer, self.width, self.line)
 
     @property
     def _lines(self) -> EdgeMesh:

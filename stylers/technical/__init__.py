@@ -67,7 +67,7 @@ class Technical(Styler):
         0.4, help="share of the ink of hidden lines that are dashed or solid", low=0.0, high=1.0
     )
     crease_angle: float = options.crease_angle(40.0)
-    intersections: bool = options.intersections()
+    intersections: str = options.intersections()
     tolerance: float = options.tolerance()
 
     @property
@@ -101,8 +101,7 @@ class Technical(Styler):
         yield from tone_passes("app", self.paper, self.ink, layer)
         for lines in (self._inner, self._outlines):
             yield from lines.draws(layer)
-        if self.intersections:
-            yield from crossings(layer, self.line_width, self.ink)
+        yield from crossings(self.intersections, layer, self.line_width, self.ink)
 
     def _lamp(self, layer: Layer) -> Light:
         given = layer.lighting.lights if layer.lighting is not None else ()

@@ -35,7 +35,7 @@ SPOT = Light(
     spot_cutoff=20.0, spot_exponent=8.0,
 )  # fmt: skip
 LIT = {"sun": (SUN,), "lamp": (LAMP,), "spot": (SPOT,), "all": (SUN, LAMP, SPOT)}
-PLAIN = {"highlight": 0.0, "intersections": False}
+PLAIN = {"highlight": 0.0, "intersections": "off"}
 
 
 @pytest.fixture(scope="module")
@@ -89,12 +89,24 @@ def test_bands_are_those_of_the_reference(backend, name, bands):
     light = incoming(lights, points, normals)
     brightest = light.max(axis=1)
     level = banded(1.3 * brightest, bands)[:, None]
-    hue = np.where(brightest[:, None] > 0, light / np.maximum(brightest, 1e-9)[:, None], 1.0)
+    near = np.zeros(len(points), bool)
+    hue = np.zeros_like(light)
+    for alone in (light, *(incoming((one,), points, normals) for one in lights)):
+        own = bands * 1.3 * alone.max(axis=1)
+        # Bands are smooth over a pixel at their edges, which tessellation moves a little.
+        image = np.zeros(hit.shape)
+        image[hit] = own
+        down, across = np.gradient(image)
+        margin = 0.03 + 1.5 * (np.abs(down) + np.abs(across))[hit]
+        near |= np.abs(own[:, None] - np.arange(1, bands)).min(axis=1) < margin
+    for one in lights:
+        own = banded(1.3 * incoming((one,), points, normals).max(axis=1), bands)
+        hue += own[:, None] * np.asarray(one.diffuse) / max(one.diffuse)
+    most = hue.max(axis=1, keepdims=True)
+    hue = np.where(most > 0, hue / np.maximum(most, 1e-9), 1.0)
     dark = 0.4 * np.array((128, 192, 255)) / 255
     wanted = np.asarray(PAINT) * ((1 - level) * dark + level * hue)
     off = np.abs(picture[hit] - wanted).max(axis=1)
-    # Bands are smooth over a pixel at their edges, which tessellation moves a little.
-    near = np.abs(bands * 1.3 * brightest[:, None] - np.arange(1, bands)).min(axis=1) < 0.06
     cone = np.zeros(len(points), bool)
     if SPOT in lights:
         way = points - np.asarray(SPOT.position[:3])
@@ -102,8 +114,8 @@ def test_bands_are_those_of_the_reference(backend, name, bands):
         angle = np.degrees(np.arccos(way @ axis / np.linalg.norm(way, axis=1)))
         cone = np.abs(angle - SPOT.spot_cutoff) < 0.5
     plain = ~near & ~cone
-    assert plain.mean() > 0.7
-    assert (off[plain] > 3 / 255).mean() < 0.002 * bands
+    assert plain.mean() > 0.5
+    assert (off[plain] > 3 / 255).mean() < 0.002
     assert len(np.unique(level)) > 1  # there is something to see
 
 
@@ -177,7 +189,7 @@ def bare(make):
 
 def test_highlights_are_where_the_material_gleams(backend):
     def bright(camera, **options):
-        style = Cartoon(intersections=False, saturation=1.0, **options)
+        style = Cartoon(intersections="off", saturation=1.0, **options)
         return (drawn(backend, style, camera, lights=(SUN,)) > 0.85).all(axis=2).sum()
 
     dull, glossy = CAMERA, replace(CAMERA, gleams=True)
@@ -253,7 +265,7 @@ def test_hidden_line_drawings_show_features_or_all_sides(backend):
     )
     shown = {}
     for edges in ("features", "all"):
-        style = HiddenLine(edges=edges, intersections=False, paper="app", line="#ff0000")
+        style = HiddenLine(edges=edges, intersections="off", paper="app", line="#ff0000")
         look.clear()
         look.draw_base(flat, camera, (1, 1, 1))
         backend.render(list(style.draws(Layer(((flat, camera),)))))
@@ -281,7 +293,7 @@ def test_hidden_lines_are_drawn_when_asked_for(backend, edges, hidden, more):
         backend.render(list(style.draws(Layer(((look.cube(), camera),)))))
         return (look.pixels()[..., 1] < 220).sum()
 
-    kept = {"edges": edges, "intersections": False, "paper": "app", "width": 2.0}
+    kept = {"edges": edges, "intersections": "off", "paper": "app", "width": 2.0}
     assert ink(HiddenLine(hidden=hidden, **kept)) > ink(HiddenLine(**kept)) + more
 
 
@@ -290,3 +302,15 @@ def test_surfaces_are_what_the_options_say():
     assert Cartoon(textures="off").surface == Technical(textures="off").surface == "colours"
     assert HiddenLine(polygons="#ff0000").surface == (1.0, 0.0, 0.0)
     assert HiddenLine(polygons="app").surface == "app"
+
+
+def test_crossings_are_looked_for_where_polygons_are_few():
+    camera = Camera(look.look_at((3, 2, 2.5)), look.perspective(), (0, 0, 400, 400))
+
+    def looks(mesh, intersections):
+        draws = HiddenLine(intersections=intersections).draws(Layer(((mesh, camera),)))
+        return any(getattr(getattr(one, "choice", None), "intersections", False) for one in draws)
+
+    few, many = look.cube(), look.sphere(200, 120)
+    assert [looks(few, word) for word in ("auto", "on", "off")] == [True, True, False]
+    assert [looks(many, word) for word in ("auto", "on", "off")] == [False, True, False]
