@@ -98,7 +98,7 @@ class Follower:
             self._now.read_list_base()
         if self._now is not None:
             self._colour = colour() if self._wanted.colours else b""
-            self._normal = normal() if self._wanted.normals else b""
+            self._normal = self._current_normal(self._now.drawing)
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -283,8 +283,7 @@ class Follower:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
-                current = normal() if self._wanted.normals else b""
-                scene.layer.add_primitive(state, QUADS, current + stream)
+                scene.layer.add_primitive(state, QUADS, self._current_normal(state) + stream)
         else:
             try:
                 batch = scene.fetch.batch(name, args)
@@ -294,9 +293,17 @@ class Follower:
             if batch is not None:
                 scene.compile(batch)
                 if state is not None:
-                    if self._wanted.normals and batch.normals is None:
-                        batch = normals.throughout(batch, normal())
+                    current = self._current_normal(state) if batch.normals is None else b""
+                    if current:
+                        batch = normals.throughout(batch, current)
                     scene.layer.add_batch(state, batch)
+
+    def _current_normal(self, state: DrawState | None) -> bytes:
+        """The record of the normal that holds where a draw says none, if wanted. A style that wants
+        lights takes it for none where nothing is lit: it is left over from something else."""
+        if not self._wanted.normals or state is None:
+            return b""
+        return b"" if self._wanted.lights and not state.camera.lit else normal()
 
     def _shape(
         self,

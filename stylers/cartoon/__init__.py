@@ -17,10 +17,18 @@ from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options
 from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
-from stylers.shading import UPPER_LEFT, by_light, lamp_uniforms, lenses, lit_passes, screen_shader
+from stylers.shading import (
+    NEAR_ENOUGH,
+    UPPER_LEFT,
+    by_light,
+    lamp_uniforms,
+    lenses,
+    lit_passes,
+    screen_shader,
+)
 
 _SHADER = screen_shader(
-    "cartoon", (files(__package__) / "cartoon.frag.glsl").read_text("utf-8")
+    "cartoon", (files(__package__) / "cartoon.frag.glsl").read_text("utf-8"), bent=NEAR_ENOUGH
 )
 
 

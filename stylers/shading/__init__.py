@@ -27,6 +27,9 @@ _CREASES = Criterion("either", radians(50.0), radians(1.0))
 without normals is not round."""
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 _OVER_ALL = State(depth="always", blend="off")
+NEAR_ENOUGH = 8.0
+"""Pixels for `screen_shader` over paint: where a large quad is bent, light is missed as a hole, and
+what an app lays on a surface may well be lit with it."""
 UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
 """A light behind the viewer's left shoulder: it goes where the viewer goes."""
 
@@ -38,10 +41,12 @@ def _text(name: str) -> str:
 _BUFFER = MeshShader("surface buffer", _text("buffer.vert.glsl"), _text("buffer.frag.glsl"))
 
 
-def screen_shader(name: str, fragment: str, *, lamps: bool = True) -> MeshShader:
+def screen_shader(
+    name: str, fragment: str, *, lamps: bool = True, bent: float = 2.0
+) -> MeshShader:
     """A shader that lights each pixel: a fragment text that follows ``pixel.glsl`` and, with lamps,
-    ``lamps.glsl``."""
-    given = _text("pixel.glsl") + (_text("lamps.glsl") if lamps else "")
+    ``lamps.glsl``. bent: pixels by which quads that are not flat may miss their triangles."""
+    given = f"#define BENT {bent}\n" + _text("pixel.glsl") + (_text("lamps.glsl") if lamps else "")
     return MeshShader(name, _text("screen.vert.glsl"), given + fragment)
 
 

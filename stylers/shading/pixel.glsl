@@ -9,7 +9,9 @@ uniform vec4 viewpoint, viewport;
 uniform vec2 range;
 
 const float CREASED = 0.25;   // change of a normal from one pixel to the next
-const float BENT = 2.0;       // pixels by which a quad's diagonals may part
+#ifndef BENT
+#define BENT 2.0              // pixels by which a quad's diagonals may part
+#endif
 
 struct Pixel {
     vec3 n;       // unit normal, eye space, turned to the viewer; zero where no surface is

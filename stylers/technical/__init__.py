@@ -18,9 +18,19 @@ from stylers import options
 from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import tone_passes
-from stylers.shading import UPPER_LEFT, by_light, lamp_uniforms, lenses, lit_passes, screen_shader
+from stylers.shading import (
+    NEAR_ENOUGH,
+    UPPER_LEFT,
+    by_light,
+    lamp_uniforms,
+    lenses,
+    lit_passes,
+    screen_shader,
+)
 
-_SHADER = screen_shader("gooch", (files(__package__) / "gooch.frag.glsl").read_text("utf-8"))
+_SHADER = screen_shader(
+    "gooch", (files(__package__) / "gooch.frag.glsl").read_text("utf-8"), bent=NEAR_ENOUGH
+)
 _WHITE: Colour = (1.0, 1.0, 1.0)
 
 
