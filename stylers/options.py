@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glshim.styling.protocol import Colour, Layer, option
+from glshim.styling.protocol import Colour, option
 from stylers.strokes import MADE
 
 
@@ -47,18 +47,13 @@ def textures() -> Any:
 
 
 def shade_unlit() -> Any:
-    """``shade_unlit``, for `shades`."""
+    """``shade_unlit``, for `stylers.shading.by_light`."""
     return option(
         "auto",
         help="what the app draws without lights: shaded by a light behind the viewer's shoulder, "
-        "left as it is, or (auto) shaded where nothing is lit by the app",
+        "left as it is, or (auto) shaded where nothing is lit by the app, if it has no textures",
         choices=("auto", "off", "head"),
     )
-
-
-def shades(shade_unlit: str, layer: Layer) -> bool:
-    """Whether polygons that the app drew without lights are shaded."""
-    return shade_unlit == "head" or (shade_unlit == "auto" and layer.lighting is None)
 
 
 def crease_angle(default: float) -> Any:

@@ -39,6 +39,7 @@ _INTEGERS = (
     ("stencil", 0x0B97, 1),
     ("stencil", 0x0B93, 1),
     ("lighting", 0x0B50, 1),
+    ("textured", 0x0DE1, 1),
     ("specular", 0x1202, 4),  # of the front material: floats
     *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
@@ -78,7 +79,7 @@ class StateReader:
     """Reads :class:`DrawState`; equal states give the same object."""
 
     def __init__(self, *, lighting: bool = False) -> None:
-        """lighting: whether `Camera.lit` and `Camera.gleams` are asked for."""
+        """lighting: whether `Camera.lit` and what goes with it is asked for."""
         self._lighting = lighting
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
@@ -155,7 +156,7 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil, c.lit, c.gleams,
+            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
@@ -171,7 +172,7 @@ def _brightest(words: tuple[int, ...]) -> float:
 
 def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
     """Whether a kind of value is in the key."""
-    return {"clip": clips, "lighting": lighting}.get(kind, True)
+    return {"clip": clips, "lighting": lighting, "textured": lighting}.get(kind, True)
 
 
 def _decode_rest(key: bytes) -> DrawState:
@@ -192,6 +193,7 @@ def _decode_rest(key: bytes) -> DrawState:
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
         lit=bool(values["lighting"][0]),
+        textured=bool(values["textured"][0]),
         gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )
     func = values["depth_func"][0]

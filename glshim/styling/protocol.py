@@ -286,8 +286,8 @@ class Styler:
 
     @property
     def wants_lights(self) -> bool:
-        """Whether `Camera.lit`, `Camera.gleams` and `Layer.lighting` shall say how the app lights
-        its polygons."""
+        """Whether `Camera.lit`, `gleams` and `textured`, and `Layer.lighting` shall say how the
+        app lights its polygons."""
         return False
 
     @property

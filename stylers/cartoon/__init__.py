@@ -94,12 +94,11 @@ class Cartoon(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """Bands, and ink over them."""
-        lit, unlit = by_light(layer)
+        lit, unlit = by_light(layer, self.shade_unlit)
         head = (UPPER_LEFT,)
         given = layer.lighting.lights if layer.lighting is not None else ()
         yield from self._shaded(lit, given if self.lights == "app" else head)
-        if options.shades(self.shade_unlit, layer):
-            yield from self._shaded(unlit, head)
+        yield from self._shaded(unlit, head)
         yield from self._lines.draws(layer)
         if self.line_width > 0.0:
             yield from crossings(self.intersections, layer, self.line_width, self.ink)

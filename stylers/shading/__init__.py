@@ -6,7 +6,7 @@ T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990;
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from importlib.resources import files
 from math import cos, isfinite, radians
@@ -27,7 +27,7 @@ _CREASES = Criterion("either", radians(50.0), radians(1.0))
 without normals is not round."""
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 _OVER_ALL = State(depth="always", blend="off")
-NEAR_ENOUGH = 8.0
+NEAR_ENOUGH = 16.0
 """Pixels for `screen_shader` over paint: where a large quad is bent, light is missed as a hole, and
 what an app lays on a surface may well be lit with it."""
 UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
@@ -77,14 +77,25 @@ def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
     return [tuple(some) for some in alike.values()]
 
 
-def by_light(layer: Layer) -> tuple[tuple[Body, ...], tuple[Body, ...]]:
-    """The bodies that the app lit, parted by whether they gleam, and those that it did not."""
+def by_light(layer: Layer, shade_unlit: str) -> tuple[tuple[Body, ...], tuple[Body, ...]]:
+    """The bodies that the app lit, and those of the others that are shaded, each parted by whether
+    they gleam. shade_unlit: ``head``, ``off``, or ``auto``: where the app lit nothing, what has no
+    textures; a wall with a light map has its light in them."""
 
-    def some(*kinds: tuple[bool, bool]) -> tuple[Body, ...]:
-        items = (item for item in layer.items if (item[1].lit, item[1].gleams) in kinds)
-        return bodies(replace(layer, items=tuple(items)))
+    def some(*, lit: bool, textured: Collection[bool]) -> tuple[Body, ...]:
+        found: tuple[Body, ...] = ()
+        for gleams in (False, True):
+            items = tuple(
+                item for item in layer.items
+                if (item[1].lit, item[1].gleams) == (lit, gleams) and item[1].textured in textured
+            )  # fmt: skip
+            found += bodies(replace(layer, items=items))
+        return found
 
-    return some((True, False)) + some((True, True)), some((False, False)) + some((False, True))
+    lit = some(lit=True, textured=(False, True))
+    if shade_unlit == "off" or (shade_unlit == "auto" and layer.lighting is not None):
+        return lit, ()
+    return lit, some(lit=False, textured=(False,) if shade_unlit == "auto" else (False, True))
 
 
 def lamp_uniforms(lights: tuple[Light, ...], lens: tuple[Body, ...]) -> dict[str, Uniform]:

@@ -97,15 +97,13 @@ class Technical(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         """Tones, paper and lines."""
-        unlit = options.shades(self.shade_unlit, layer)
-        lit, others = by_light(layer)
-        found = lit + others if unlit else lit
+        lit, unlit = by_light(layer, self.shade_unlit)
         paint = (0.0, 0.0, 0.0, 0.0) if isinstance(self.paint, str) else (*self.paint, 1.0)
         look: dict[str, Uniform] = {
             "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
             "beta": self.beta, "highlight": self.highlight, "gloss": self.gloss,
         }  # fmt: skip
-        for lens in lenses(found):
+        for lens in lenses(lit + unlit):
             lamps = lamp_uniforms((self._lamp(layer),), lens)
             yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
         yield from tone_passes("app", self.paper, self.ink, layer)

@@ -123,6 +123,16 @@ def test_cameras_say_what_is_lit_and_what_gleams():
     assert layer.lighting is None
 
 
+def test_cameras_say_what_is_textured():
+    def scene() -> None:
+        for on in (GL.glEnable, GL.glDisable):
+            on(GL.GL_TEXTURE_2D)
+            triangle()
+
+    assert [[c.textured for _, c in layer.items] for layer in told(scene)] == [[True, False]]
+    assert not any(c.textured for layer in told(scene, lights=False) for _, c in layer.items)
+
+
 def test_no_light_at_all_is_lighting_too():
     def scene() -> None:
         GL.glEnable(GL.GL_LIGHTING)

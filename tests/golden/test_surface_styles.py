@@ -179,7 +179,11 @@ def test_what_the_app_does_not_light_keeps_its_picture(backend, make):
     shaded = centre_of(drawn(backend, make(**PLAIN, **bare(make)), UNLIT, lights=None))
     assert np.abs(shaded - PAINT).max() > 0.1
     forced = make(shade_unlit="head", **PLAIN, **bare(make))
-    assert (centre_of(drawn(backend, forced, UNLIT, lights=(SUN,))) == shaded).all()
+    textured = replace(UNLIT, textured=True)
+    for camera in (UNLIT, textured):
+        assert (centre_of(drawn(backend, forced, camera, lights=(SUN,))) == shaded).all()
+    mapped = centre_of(drawn(backend, make(**PLAIN, **bare(make)), textured, lights=None))
+    assert (mapped == as_it_is).all()
 
 
 def bare(make):
