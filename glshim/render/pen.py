@@ -25,7 +25,10 @@ _LINE = "".join((_SHADERS / name).read_text("utf-8") for name in ("line.glsl", "
 DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
 """Prelude of both stages, for every version of GLSL."""
 _STRIP = 0x0005
-_INPUTS = {"edge_a": 3, "edge_b": 3, "edge_c": 3, "edge_own": 3, "edge_other": 3, "edge_kind": 3}
+_INPUTS = {
+    "edge_a": 3, "edge_b": 3, "edge_c": 3, "edge_own": 3, "edge_other": 3, "edge_kind": 3,
+    "edge_hand": 3,
+}  # fmt: skip
 """Floats of each input, in the order of a record."""
 Records = NDArray[np.float32]
 Uniforms = Mapping[str, Uniform]
