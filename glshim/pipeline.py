@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -80,7 +81,8 @@ class Pipeline:
         items = scene.layer.take()
         if not items:
             return
-        draws = list(self.styler.draws(Layer(items, light(), over, fresh, lighting)))
+        now = time.monotonic()
+        draws = list(self.styler.draws(Layer(items, light(), over, fresh, now, lighting)))
         if not draws:
             return
         try:

@@ -35,8 +35,8 @@ class Camera:
     stencil: tuple[int, int, int] | None = None
     """glStencilFunc's function, reference and mask, or None when the stencil test is off."""
     lit: bool = False
-    """GL_LIGHTING was on. This, `gleams` and `textured` are read for stylers that want lights alone,
-    and are no part of the view."""
+    """GL_LIGHTING was on. This, `gleams` and `textured` are read for stylers that want lights, and
+    are no part of the view."""
     gleams: bool = False
     """The front material had a specular colour."""
     textured: bool = False

@@ -25,6 +25,8 @@ class Layer:
     """An earlier layer of the frame lies below."""
     fresh: bool = True
     """The depth buffer holds this layer's polygons alone."""
+    time: float = 0.0
+    """Seconds, from any beginning: what a style that moves by itself goes by."""
     lighting: Lighting | None = None
     """The lights that were on, with GL_LIGHTING, when the first lit polygons of the layer were
     drawn: an app that moves them after that is seen in the light that it began with. None: nothing
