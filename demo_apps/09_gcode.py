@@ -7,6 +7,7 @@ zoom, up and down change the speed, r begins at the first layer, space stops it,
 
 import ctypes
 import math
+import re
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -47,13 +48,16 @@ class Strand:
 
 
 def words(line: str, number: int) -> dict[str, float]:
-    """The letters of a line and their numbers, without its comments."""
+    """The letters of a command and their numbers, without its comments."""
+    code = re.sub(r"\(.*?\)", "", line.partition(";")[0]).upper().strip()
+    if not code.startswith(("G", "X", "Y", "Z", "E")):
+        code = code.split()[0] if code else ""  # M117 takes text, which is nobody's number
     found = {}
-    for word in line.partition(";")[0].partition("(")[0].upper().split():
+    for letter, value in re.findall(r"([A-Z])\s*([^A-Z\s]*)", code):
         try:
-            found[word[0]] = float(word[1:] or "0")
+            found[letter] = float(value or "0")
         except ValueError:
-            raise BadFile(f"line {number}: {word!r} is no letter with a number") from None
+            raise BadFile(f"line {number}: {letter + value!r} is no number") from None
     return found
 
 
@@ -66,10 +70,8 @@ def parsed(text: str) -> list[Strand]:
     for number, line in enumerate(text.splitlines(), 1):
         if line.startswith(";TYPE:"):
             kind, going = line[6:].strip().upper().replace(" ", "-"), False
-        if not line.partition(";")[0].strip() or line.startswith("%"):
-            continue
         word = words(line, number)
-        if "M" in word and word["M"] in (82, 83):
+        if word.get("M") in (82, 83):
             absolute["E"] = word["M"] == 82
         code = word.get("G")
         if code in (90, 91):
@@ -80,10 +82,9 @@ def parsed(text: str) -> list[Strand]:
             place |= {axis: word[axis] for axis in place if axis in word}
         elif code in (0, 1):
             before = dict(place)
-            for axis in place:
-                if axis in word:
-                    place[axis] = word[axis] + (0.0 if absolute[axis] else place[axis])
-            start, end = (tuple(p[a] for a in "XYZ") for p in (before, place))
+            for axis in place.keys() & word.keys():
+                place[axis] = word[axis] + (0.0 if absolute[axis] else place[axis])
+            start, end = ((p["X"], p["Y"], p["Z"]) for p in (before, place))
             far, pushed = math.dist(start, end), place["E"] - before["E"]
             if not all(map(math.isfinite, end)):
                 raise BadFile(f"line {number}: a place that is no number")
