@@ -1,15 +1,14 @@
 """A 3D printer at work: `python -m demo_apps.09_gcode [FILE.gcode]`; GLUT, buffer objects, a HUD.
 
-Without a file it prints a twisted planter, which `slicer.py` made. G0, G1, G28, G90, G91, G92, M82
-and M83 are understood; plastic is as wide as its E values make it. Drag to orbit, wheel or +/- to
-zoom, up and down change the speed, r begins at the first layer, space stops it, ESC leaves.
+Without a file it prints a twisted planter, which `slicer.py` made. Plastic is as wide as its E
+values make it, and has the colour of its kind. Drag to orbit, wheel or +/- to zoom, up and down
+change the speed, r begins at the first layer, space stops it, ESC leaves.
 """
 
 import ctypes
 import math
-import re
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -17,90 +16,21 @@ from numpy.typing import NDArray
 from OpenGL import GL, GLU, GLUT
 from OpenGL.arrays import vbo
 
+try:
+    from demo_apps.gcode import BadFile, Strand, parsed
+except ModuleNotFoundError:  # started as a file: its folder is on the path
+    from gcode import BadFile, Strand, parsed
+
 SIZE = (640, 480)
-FILAMENT = math.pi * (1.75 / 2) ** 2  # square millimetres
 BED = 80.0  # its side, millimetres
 PLANTER = Path(__file__).with_name("models") / "planter.gcode"
-SIDES = 6  # of a strand's section
+SECTION = ((0.5, 0.0), (0.28, 0.5), (-0.28, 0.5), (-0.5, 0.0), (-0.28, -0.5), (0.28, -0.5))
+SIDES = len(SECTION)
 COLOURS = {
     "SKIRT": (0.55, 0.56, 0.60), "WALL-OUTER": (0.93, 0.48, 0.14), "WALL-INNER": (0.95, 0.76, 0.24),
     "FILL": (0.78, 0.24, 0.20), "SKIN": (0.84, 0.34, 0.40), "": (0.30, 0.55, 0.74),
 }  # fmt: skip
 Floats = NDArray[np.float64]
-
-
-class BadFile(Exception):
-    """The file is no G-code that can be shown; the message is one line."""
-
-
-@dataclass
-class Strand:
-    """Plastic laid in one go: points (n, 3), the widths (n - 1,) of its pieces, and its kind."""
-
-    kind: str
-    height: float
-    points: list[tuple[float, float, float]] = field(default_factory=list)
-    widths: list[float] = field(default_factory=list)
-
-    @property
-    def closed(self) -> bool:
-        return math.dist(self.points[0], self.points[-1]) < 1e-6
-
-
-def words(line: str, number: int) -> dict[str, float]:
-    """The letters of a command and their numbers, without its comments."""
-    code = re.sub(r"\(.*?\)", "", line.partition(";")[0]).upper().strip()
-    if not code.startswith(("G", "X", "Y", "Z", "E")):
-        code = code.split()[0] if code else ""  # M117 takes text, which is nobody's number
-    found = {}
-    for letter, value in re.findall(r"([A-Z])\s*([^A-Z\s]*)", code):
-        try:
-            found[letter] = float(value or "0")
-        except ValueError:
-            raise BadFile(f"line {number}: {letter + value!r} is no number") from None
-    return found
-
-
-def parsed(text: str) -> list[Strand]:
-    """The strands of a G-code program, in the order in which they are printed."""
-    strands: list[Strand] = []
-    place = {"X": 0.0, "Y": 0.0, "Z": 0.0, "E": 0.0}
-    absolute = {"X": True, "Y": True, "Z": True, "E": True}
-    kind, floor, level, going = "", 0.0, 0.0, False
-    for number, line in enumerate(text.splitlines(), 1):
-        if line.startswith(";TYPE:"):
-            kind, going = line[6:].strip().upper().replace(" ", "-"), False
-        word = words(line, number)
-        if word.get("M") in (82, 83):
-            absolute["E"] = word["M"] == 82
-        code = word.get("G")
-        if code in (90, 91):
-            absolute = dict.fromkeys(absolute, code == 90)
-        elif code == 28:
-            place |= {"X": 0.0, "Y": 0.0, "Z": 0.0}
-        elif code == 92:
-            place |= {axis: word[axis] for axis in place if axis in word}
-        elif code in (0, 1):
-            before = dict(place)
-            for axis in place.keys() & word.keys():
-                place[axis] = word[axis] + (0.0 if absolute[axis] else place[axis])
-            start, end = ((p["X"], p["Y"], p["Z"]) for p in (before, place))
-            far, pushed = math.dist(start, end), place["E"] - before["E"]
-            if not all(map(math.isfinite, end)):
-                raise BadFile(f"line {number}: a place that is no number")
-            if pushed <= 0 or far < 1e-6:
-                going = False
-                continue
-            if place["Z"] > level + 1e-6:
-                floor, level = level, place["Z"]
-            if not going:
-                strands.append(Strand(kind, max(level - floor, 0.05), [start]))
-            strands[-1].points.append(end)
-            strands[-1].widths.append(min(pushed * FILAMENT / far / strands[-1].height, 5.0))
-            going = True
-    if not strands:
-        raise BadFile("no G1 with an E in it: nothing is printed")
-    return strands
 
 
 def tube(strand: Strand) -> tuple[Floats, Floats]:
@@ -119,8 +49,7 @@ def tube(strand: Strand) -> tuple[Floats, Floats]:
     out /= np.maximum((out * sides[0]).sum(axis=1, keepdims=True), 0.7)
     widths = np.array([strand.widths[0], *strand.widths])
     # A flattened hexagon, whose top and bottom lie on the layers above and below.
-    section = np.array([(0.5, 0.0), (0.28, 0.5), (-0.28, 0.5), (-0.5, 0.0), (-0.28, -0.5),
-                        (0.28, -0.5)])  # fmt: skip
+    section = np.array(SECTION)
     aside = out[:, None] * (section[:, :1] * widths[:, None, None])
     rise = (section[:, 1:] - 0.5) * 0.98 * strand.height * np.array([0.0, 0.0, 1.0])
     rings = points[:, None] + aside + rise
@@ -150,7 +79,8 @@ class Print:
             tables.append(np.concatenate([quads, normals, colour], axis=2).reshape(-1, 9))
             count = [SIDES * 4] * len(strand.widths)
             if not strand.closed:
-                count[0], count[-1] = count[0] + 8, count[-1] + 8
+                count[0] += 8
+                count[-1] += 8
             counts += count
         self.buffer = vbo.VBO(np.concatenate(tables).astype(np.float32))
         self.counts = np.concatenate([[0], np.cumsum(counts)])  # of vertices, after each piece
@@ -187,8 +117,8 @@ class Print:
         if done == len(self.reach) or math.dist(self.starts[done], nozzle) < 1e-3:
             return
         owner = self.owners[done]
-        piece = Strand(owner.kind, owner.height, [tuple(self.starts[done]), tuple(nozzle)],
-                       [self.widths[done]])  # fmt: skip
+        ends = [tuple(self.starts[done]), tuple(nozzle)]
+        piece = Strand(owner.kind, owner.height, ends, [self.widths[done]])
         GL.glColor3fv(colour_of(owner.kind))
         GL.glBegin(GL.GL_QUADS)
         for quad, normals in zip(*tube(piece), strict=True):
@@ -321,8 +251,7 @@ def display(job: Print, title: str) -> None:
     done, nozzle = job.nozzle(view.way)
     draw_bed(0.0)
     job.draw(done, nozzle)
-    finished = done == len(job.reach)
-    draw_head(nozzle + np.array([0.0, 0.0, 18.0]) if finished else nozzle)
+    draw_head(nozzle + np.array([0.0, 0.0, 18.0 * (done == len(job.reach))]))
     draw_overlay(job, title, nozzle)
     GLUT.glutSwapBuffers()
 
@@ -384,11 +313,9 @@ def set_up() -> None:
     GL.glLightfv(GL.GL_LIGHT1, GL.GL_DIFFUSE, (0.20, 0.22, 0.26, 1.0))
 
 
-def opened(arguments: list[str]) -> tuple[str, list[Strand]]:
-    """Title and strands of the file that is asked for, or of the planter."""
-    path = Path(arguments[0]) if arguments else PLANTER
+def opened(path: Path) -> list[Strand]:
     try:
-        return path.name, parsed(path.read_text(encoding="utf-8"))
+        return parsed(path.read_text(encoding="utf-8"))
     except UnicodeDecodeError:
         raise BadFile("it is not text") from None
     except OSError as reason:
@@ -396,20 +323,20 @@ def opened(arguments: list[str]) -> tuple[str, list[Strand]]:
 
 
 def main() -> int:
-    arguments = GLUT.glutInit(sys.argv)[1:]
-    names = [a.decode() if isinstance(a, bytes) else a for a in arguments]
+    path = Path(sys.argv[1]) if len(sys.argv) > 1 else PLANTER
     try:
-        title, strands = opened(names)
+        strands = opened(path)
     except BadFile as reason:
-        print(f"{names[0] if names else PLANTER}: {reason}", file=sys.stderr)
+        print(f"{path}: {reason}", file=sys.stderr)
         return 2
+    GLUT.glutInit(sys.argv)
     GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE | GLUT.GLUT_RGB | GLUT.GLUT_DEPTH)
     GLUT.glutInitWindowSize(*SIZE)
     GLUT.glutCreateWindow(b"3D printer")
     set_up()
     job = Print(strands)
     view.way = 0.7 * job.reach[-1]  # there is something to see; r begins at the first layer
-    GLUT.glutDisplayFunc(lambda: display(job, title))
+    GLUT.glutDisplayFunc(lambda: display(job, path.name))
     GLUT.glutReshapeFunc(reshape)
     GLUT.glutKeyboardFunc(keyboard)
     GLUT.glutSpecialFunc(arrows)
