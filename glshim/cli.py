@@ -7,9 +7,9 @@ style, a number, a screen that is not there), before any window opens.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 from glshim import launch, options
 from glshim.errors import GlshimError
@@ -95,8 +95,7 @@ def _launch(program: list[str], asked: argparse.Namespace) -> int:
 def variables_for(asked: argparse.Namespace) -> dict[str, str]:
     """The flags as the variables that the program's start reads, checked here and now."""
     options.parse_style(asked.style)
-    is_file = asked.style.endswith(".toml")
-    variables = {options.STYLE: str(Path(asked.style).absolute()) if is_file else asked.style}
+    variables = {options.STYLE: options.anchored(asked.style, os.getcwd())}
     if asked.frames is not None:
         variables[options.FRAMES] = str(options.parse_frames(asked.frames))
     if asked.capture is not None:

@@ -117,7 +117,7 @@ def test_a_file_may_write_a_switch_as_a_word(tmp_path: Path) -> None:
         ('style = "raskar"\nridges = 3\n', "mine.toml:2: ridges=3"),
         ('# mine\nstyle = "rasker"\n', "mine.toml:2: no style is called 'rasker'"),
         ("ridges = true\n", 'style = "raskar"'),
-        ('style = "raskar"\nridges = \n', "line 2"),
+        ('style = "raskar"\nridges = \n', "mine.toml:2:10: Invalid value"),
         ("style = 3\n", "names its style"),
         ('style = "raskar"\nink = "a\\nb"\n', "mine.toml:2: ink=a b"),
     ],
