@@ -84,8 +84,12 @@ def load_style(
 
 def anchored(text: str, folder: str) -> str:
     """A style text whose path, if it begins with one, is taken from the folder."""
-    is_path = text.endswith(FILE) or fromfile.is_named_in(text)
-    return os.path.join(folder, text) if is_path else text
+    return os.path.join(folder, text) if is_path(text) else text
+
+
+def is_path(text: str) -> bool:
+    """Whether a style text is a style file, or begins with a Python file."""
+    return text.endswith(FILE) or fromfile.is_named_in(text)
 
 
 def _same(one: Path, other: Path) -> bool:

@@ -8,6 +8,8 @@ from glshim import options
 from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
+from glshim.reload import Reloader
+from glshim.styling.protocol import Styler
 
 LOOKS_AT_THE_PICTURE, COUNTS = 1, 2
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
@@ -31,17 +33,24 @@ def begin(folder: str) -> None:
 
 
 def _install(style: str, folder: str) -> None:
+    reloader = Reloader(style, folder, _switch)
     try:
-        styler = options.parse_style(style, folder)
+        styler = reloader.begin()
     except GlshimError as error:
         say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
-        return
-    try:
-        from glshim import pipeline
+    else:
+        try:
+            _switch(styler)
+        except Exception as error:  # the frames asked for still come, and the end
+            say_fault("cannot install the style, the program runs unstyled", error)
+            return
+    reloader.install()
 
-        pipeline.install(styler)
-    except Exception as error:  # the frames asked for still come, and the end
-        say_fault("cannot install the style, the program runs unstyled", error)
+
+def _switch(styler: Styler) -> None:
+    from glshim import pipeline
+
+    pipeline.install(styler)
 
 
 class FrameLimit:
