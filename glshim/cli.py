@@ -1,4 +1,4 @@
-"""The command line: ``glshim run|view|styles|doctor``, the same as ``python -m glshim``.
+"""The command line: ``glshim run|view|styles|doctor ...``, the same as ``python -m glshim``.
 
 Exit status: the program's own under ``run`` and ``view``; 2 for a command that makes no sense (a
 style, a number, a screen that is not there), before any window opens.
@@ -70,6 +70,11 @@ def _parser() -> argparse.ArgumentParser:
     styles.add_argument("names", nargs="*", metavar="NAME", help="only these")
     styles.set_defaults(command=_styles)
 
+    check = commands.add_parser("check-style", help="try a style against what all styles keep to")
+    check.add_argument("style", metavar="STYLE", help="a name, FILE.toml or my_style.py:MyStyle")
+    check.add_argument("--headless", action="store_true", help="draw on a virtual screen")
+    check.set_defaults(command=_check_style)
+
     doctor = commands.add_parser("doctor", help="say what is here and what will not work")
     doctor.add_argument("--headless", action="store_true", help="look at GL on a virtual screen")
     doctor.add_argument(
@@ -111,6 +116,12 @@ def _styles(asked: argparse.Namespace) -> int:
         is_look = name in looks()
         print(options.describe_look(name) if is_look else options.describe(registry.load(name)))
     return 0
+
+
+def _check_style(asked: argparse.Namespace) -> int:
+    from glshim.checks.command import check_style
+
+    return check_style(asked.style, headless=asked.headless)
 
 
 def _doctor(asked: argparse.Namespace) -> int:
