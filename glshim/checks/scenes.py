@@ -107,6 +107,7 @@ def textured() -> None:
     GL.glStencilFunc(GL.GL_ALWAYS, 1, 0xFF)
     GL.glStencilOp(GL.GL_KEEP, GL.GL_KEEP, GL.GL_REPLACE)
     draw(layers.cube())
+    GL.glBindTexture(GL.GL_TEXTURE_2D, 0)  # its number may be another under a style
 
 
 def one_half() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import pickle
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from importlib.resources import files
@@ -12,10 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from glshim.assembly.batch import PolygonBatch
 from glshim.checks import layers
 from glshim.checks.finding import Check, Fault
 from glshim.errors import StyleError
 from glshim.styling.fromfile import shortcoming
+from glshim.styling.pictures import Image
 from glshim.styling.protocol import (
     BackFaces,
     Draw,
@@ -118,16 +121,34 @@ def _draws_are_pure(styler: Styler) -> None:
     first = draws_of(styler, layer)
     draws_of(styler, other)
     again, copy = draws_of(styler, layer), draws_of(replace(styler), layer)
-    if not first == again == copy:
-        which = next(
-            (i for i, pair in enumerate(zip(first, again, copy, strict=False))
-             if not pair[0] == pair[1] == pair[2]), min(len(first), len(again), len(copy)),
-        )  # fmt: skip
+    if not (_same(first, again) and _same(first, copy)):
+        triples = zip(first, again, copy, strict=False)
+        same = [_same(one, second) and _same(one, third) for one, second, third in triples]
+        which = f"number {same.index(False) + 1}" if False in same else "their count"
         raise Fault(
-            f"the same layer gave other draws a second time (number {which} of {len(first)})",
+            f"the same layer gave other draws a second time ({which} of {len(first)})",
             "use nothing but the layer and the options: no counters, no clock, no random numbers "
             "without a seed, and keep one Image",
         )
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Equal in what a draw depends on: cameras by their content, for a styler may make its own;
+    batches and images by identity, by which what was made of them is found again."""
+    if one is other:
+        return True
+    if type(one) is not type(other) or isinstance(one, (PolygonBatch, Image)):
+        return False
+    if isinstance(one, np.ndarray):
+        return np.array_equal(one, other, equal_nan=one.dtype.kind == "f")
+    if isinstance(one, Mapping):
+        return one.keys() == other.keys() and all(_same(one[key], other[key]) for key in one)
+    if isinstance(one, (list, tuple)):
+        return len(one) == len(other) and all(map(_same, one, other))
+    if dataclasses.is_dataclass(one):
+        names = (field.name for field in dataclasses.fields(one))
+        return all(_same(getattr(one, name), getattr(other, name)) for name in names)
+    return bool(one == other)
 
 
 def _the_layer_stays(styler: Styler) -> None:
@@ -184,33 +205,57 @@ def _uniforms_match(styler: Styler) -> None:
     shaders = files("glshim.render") / "shaders"
     preludes = ((shaders / f"{name}.glsl").read_text("utf-8") for name in _PRELUDES)
     reserved = {name for text in preludes for name in _declared(text)}
-    for text, variant in [("", styler), *variants(styler)]:
-        for draw in draws_of(variant, layers.usual()):
-            if isinstance(draw, (Draw, Pass)):
-                _uniforms_of(draw, reserved, f" (with {text})" if text else "")
+    tried = [
+        (f" (with {text})" if text else "", draw, _own(draw))
+        for text, variant in [("", styler), *variants(styler)]
+        for draw in draws_of(variant, layers.usual())
+        if isinstance(draw, (Draw, Pass))
+    ]
+    # Several shaders may be given the same uniforms, although not each has them all.
+    shared = {name for _, _, declared in tried for name in declared}
+    for when, draw, declared in tried:
+        _uniforms_of(draw, declared, shared, reserved, when)
 
 
-def _uniforms_of(draw: Draw | Pass, reserved: set[str], when: str) -> None:
+def _own(draw: Draw | Pass, *, all_stages: bool = True) -> dict[str, str]:
+    """The uniforms that the shader of a draw declares in its own texts: types by name."""
+    shader = draw.shader
+    texts = [shader.vertex, getattr(shader, "geometry", "")]
+    if all_stages:
+        texts.append(shader.fragment)
+    return {name: kind for text in texts for name, kind in _declared(text).items()}
+
+
+def _used(draw: Draw | Pass) -> set[str]:
+    """The words that stand more than once in a text of the shader: declared, and used."""
     shader = draw.shader
     texts = (shader.vertex, getattr(shader, "geometry", ""), shader.fragment)
-    declared: dict[str, str] = {}
-    for text in texts:
-        declared |= _declared(text)
+    counts = (Counter(_NAME.findall(_COMMENT.sub(" ", text))) for text in texts)
+    return {word for counted in counts for word, count in counted.items() if count > 1}
+
+
+def _uniforms_of(
+    draw: Draw | Pass, declared: Mapping[str, str], shared: set[str], reserved: set[str], when: str
+) -> None:
+    what = f"shader {draw.shader.name!r}"
     for name in draw.uniforms:
         if name in reserved:
             raise Fault(
-                f"shader {shader.name!r} is given a uniform {name!r}{when}, which is glshim's own",
+                f"{what} is given a uniform {name!r}{when}, which is glshim's own",
                 "call yours something else",
             )
-        if name not in declared:
+        if name not in shared:
             raise Fault(
-                f"shader {shader.name!r} is given a uniform {name!r}{when} that it does not have",
+                f"{what} is given a uniform {name!r}{when} that it does not have",
                 f"declare it, or leave it out: it declares {', '.join(declared) or 'none'}",
             )
-    for name, kind in declared.items():
-        if name not in draw.uniforms and name not in reserved and "ampler" not in kind:
+    colours = not isinstance(draw, Pass) or draw.state.writes_colour
+    used = _used(draw)
+    for name, kind in _own(draw, all_stages=colours).items():
+        given = name in draw.uniforms or name in reserved or "ampler" in kind
+        if name in used and not given:
             raise Fault(
-                f"shader {shader.name!r} declares a uniform {name!r}{when} that no draw sets",
+                f"{what} declares a uniform {name!r}{when} that no draw sets",
                 "give it in uniforms: what is not set may be anything",
             )
 

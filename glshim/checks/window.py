@@ -128,9 +128,10 @@ def _outcome(scene: scenes.Scene, styler: Styler | None) -> Outcome:
             found = observe(app, layers.SIDE, layers.SIDE)
             glfw.swap_buffers(handle)
     if "is switched off" in said.getvalue():
+        *_, place, _code, _marks, last = ["", "", "", *said.getvalue().splitlines()]
         raise Fault(
-            f"{scene.__name__}: {' '.join(said.getvalue().split())[-600:]}",
-            "a fault switches the style off: mend it",
+            f"{scene.__name__}: the style is switched off: {last} ({place.strip()})",
+            "mend what raises",
         )
     return found
 
