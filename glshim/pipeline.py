@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -79,7 +80,7 @@ class Pipeline:
         items = scene.layer.take()
         if not items:
             return
-        draws = list(self.styler.draws(Layer(items, light(), over, fresh)))
+        draws = list(self.styler.draws(Layer(items, light(), over, fresh, time.monotonic())))
         if not draws:
             return
         try:
