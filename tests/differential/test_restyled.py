@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import tempfile
 from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pygame
@@ -117,3 +122,134 @@ def test_a_buffer_written_while_no_style_was_on_is_read_again(window: None) -> N
     one, other = (int(name) for name in GL.glGenBuffers(2))
     picture(one, 0.7)
     assert picture(one, 0.4) == picture(other, 0.4)
+
+
+# -- a style switched while the app runs ------------------------------------------------------------
+# Programs in a process each; they say at which frame which style comes, and write the last picture.
+
+PROGRAM = """
+import sys
+import numpy as np
+import pygame
+from glshim import pipeline, parse_style
+styles = [None if text == "off" else parse_style(text) for text in sys.argv[2:]]
+pipeline.install(styles[0] or "none", live=True)
+pygame.display.init()
+pygame.display.set_mode((96, 72), pygame.OPENGL | pygame.DOUBLEBUF)
+from OpenGL.GL import *
+from OpenGL.GLU import *
+glEnable(GL_DEPTH_TEST)
+glEnable(GL_LIGHTING)
+glEnable(GL_LIGHT0)
+glEnable(GL_COLOR_MATERIAL)
+
+def roof(colours):
+    glBegin(GL_QUADS)
+    for (colour, side) in zip(colours, (-0.7, 0.7)):
+        glColor3f(*colour)
+        glNormal3f(side, 0, 1)
+        face = ((0, -0.8, 0.5), (side, -0.8, 0.1), (side, 0.8, 0.1), (0, 0.8, 0.5))
+        for x, y, z in face if side > 0 else face[::-1]:
+            glVertex3f(x, y, z)
+    glEnd()
+
+RED, GREEN = (1, 0.5, 0.5), (0.5, 1, 0.5)
+lists = glGenLists(5)
+glNewList(lists, GL_COMPILE)  # colours and normals of its own, and a colour from before glBegin
+glColor3f(*RED)
+roof((RED, GREEN))
+glEndList()
+glNewList(lists + 1, GL_COMPILE)  # said between its primitives, in a form that is not recorded
+for side in (-1, 1):
+    glNormal3s(0, side * 20000, 30000)
+    glBegin(GL_TRIANGLES)
+    for x, y in ((0, 0), (0.6 * side, 0), (0.3 * side, 0.6))[::side]:
+        glVertex3f(x, y, 0.2)
+    glEnd()
+glEndList()
+points = np.array([(-0.9, -0.9, 0), (-0.2, -0.9, 0.4), (-0.2, -0.2, 0), (-0.9, -0.2, 0.4)], "f4")
+normals = np.array([(0, 0, 1), (0, 1, 1), (1, 0, 1), (0, 0, 1)], "f4")
+buffer = glGenBuffers(1)
+glBindBuffer(GL_ARRAY_BUFFER, buffer)
+glBufferData(GL_ARRAY_BUFFER, np.concatenate((points, normals)), GL_STATIC_DRAW)
+def arrays():
+    glEnableClientState(GL_VERTEX_ARRAY)
+    glEnableClientState(GL_NORMAL_ARRAY)
+    glVertexPointer(3, GL_FLOAT, 0, None)
+    glNormalPointer(GL_FLOAT, 0, ctypes.c_void_p(points.nbytes))
+    glDrawArrays(GL_QUADS, 0, 4)
+    glBegin(GL_TRIANGLES)
+    for i in (0, 1, 2):
+        glArrayElement(i)
+    glEnd()
+import ctypes
+glNewList(lists + 2, GL_COMPILE)
+arrays()
+glEndList()
+glNewList(lists + 3, GL_COMPILE)
+gluSphere(gluNewQuadric(), 0.3, 12, 8)
+glEndList()
+
+def frame(number):
+    glClearColor(1, 1, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    if number == 2:  # compiled while another style, or none, was on
+        glNewList(lists + 4, GL_COMPILE)
+        roof((GREEN, RED))
+        glEndList()
+        glBufferSubData(GL_ARRAY_BUFFER, 0, points * np.float32(0.9))
+    glMatrixMode(GL_MODELVIEW)
+    for i in range(5 if number >= 2 else 4):
+        glLoadIdentity()
+        glTranslatef(0.3 * i - 0.6, 0.1 * i - 0.2, -0.1 * i)
+        glScalef(0.6, 0.6, 0.6)
+        glRotatef(25, 1, 1, 0)
+        glCallList(lists + i)
+    glLoadIdentity()
+    glTranslatef(0.5, 0.5, 0)
+    glScalef(0.4, 0.4, 0.4)
+    roof((RED, GREEN))
+    arrays()
+
+# A style a frame, then two more of the last.
+for number, style in enumerate(styles + styles[-1:] * 4, start=1):
+    frame(number)
+    kept = glReadPixels(0, 0, 96, 72, GL_RGB, GL_UNSIGNED_BYTE)
+    nexts = (styles[1:] + styles[-1:] * 5)[number - 1]
+    pipeline.switch(nexts)
+    pygame.display.flip()
+    assert pipeline.current() is (nexts and (nexts if nexts.wants_polygons else None)), number
+    assert glGetError() == 0
+with open(sys.argv[1], "wb") as file:
+    file.write(kept)
+"""
+
+MARKS = "edge_mesh:marked=on"
+RASKAR = "raskar:ink=#ff0000"
+SURFACE = "crease:fill=#ddeeff"
+
+
+@cache
+def last_picture(*styles: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        script, picture = Path(folder, "app.py"), Path(folder, "picture")
+        script.write_text(PROGRAM)
+        done = subprocess.run(
+            [sys.executable, str(script), str(picture), *styles],
+            capture_output=True, text=True, timeout=120, check=False,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == (0, ""), done.stderr
+        return picture.read_bytes()
+
+
+@pytest.mark.parametrize("target", [RASKAR, MARKS, SURFACE, "fins", "off"])
+@pytest.mark.parametrize("before", [(RASKAR,), (MARKS,), ("off",), (SURFACE, "off", "none")])
+def test_a_style_that_comes_later_draws_as_if_it_had_been_on_from_the_start(
+    target: str, before: tuple[str, ...]
+) -> None:
+    """Lists compiled, buffers written and shapes drawn under another style, or under none."""
+    from_the_start = last_picture(*[target] * 4)
+    switched = last_picture(*(*before, *before, *before)[:3], target)
+    assert switched == from_the_start
+    assert last_picture(target, *before, target) == from_the_start
+    assert (from_the_start == last_picture(*["off"] * 4)) == (target == "off")
