@@ -124,10 +124,11 @@ def test_a_buffer_written_while_no_style_was_on_is_read_again(window: None) -> N
     assert picture(one, 0.4) == picture(other, 0.4)
 
 
-# -- a style switched while the app runs ------------------------------------------------------------
+# -- a style switched while the app runs -----------------------------------------------------------
 # Programs in a process each; they say at which frame which style comes, and write the last picture.
 
 PROGRAM = """
+import ctypes
 import sys
 import numpy as np
 import pygame
@@ -143,73 +144,76 @@ glEnable(GL_LIGHTING)
 glEnable(GL_LIGHT0)
 glEnable(GL_COLOR_MATERIAL)
 
-def roof(colours):
+RED, GREEN = (1, 0.5, 0.5), (0.5, 1, 0.5)
+LEFT = ((-0.6, -0.5), (0, -0.5), (0, 0.5), (-0.6, 0.5))
+RIGHT = ((0, -0.5), (0.6, -0.5), (0.6, 0.5), (0, 0.5))
+
+def sheet(first, second):
+    # Flat: that there is a line between its halves only their colours or normals say.
+    glColor3f(*first)
     glBegin(GL_QUADS)
-    for (colour, side) in zip(colours, (-0.7, 0.7)):
-        glColor3f(*colour)
-        glNormal3f(side, 0, 1)
-        face = ((0, -0.8, 0.5), (side, -0.8, 0.1), (side, 0.8, 0.1), (0, 0.8, 0.5))
-        for x, y, z in face if side > 0 else face[::-1]:
-            glVertex3f(x, y, z)
+    glNormal3f(-1, 0, 1)
+    for x, y in LEFT:
+        glVertex2f(x, y)
+    glColor3f(*second)
+    glNormal3f(1, 0, 1)
+    for x, y in RIGHT:
+        glVertex2f(x, y)
     glEnd()
 
-RED, GREEN = (1, 0.5, 0.5), (0.5, 1, 0.5)
-lists = glGenLists(5)
-glNewList(lists, GL_COMPILE)  # colours and normals of its own, and a colour from before glBegin
-glColor3f(*RED)
-roof((RED, GREEN))
-glEndList()
-glNewList(lists + 1, GL_COMPILE)  # said between its primitives, in a form that is not recorded
-for side in (-1, 1):
-    glNormal3s(0, side * 20000, 30000)
-    glBegin(GL_TRIANGLES)
-    for x, y in ((0, 0), (0.6 * side, 0), (0.3 * side, 0.6))[::side]:
-        glVertex3f(x, y, 0.2)
-    glEnd()
-glEndList()
-points = np.array([(-0.9, -0.9, 0), (-0.2, -0.9, 0.4), (-0.2, -0.2, 0), (-0.9, -0.2, 0.4)], "f4")
-normals = np.array([(0, 0, 1), (0, 1, 1), (1, 0, 1), (0, 0, 1)], "f4")
+def said_between():
+    # The normals stand between the primitives, in a form that is not recorded.
+    for half, side in ((LEFT, -20000), (RIGHT, 20000)):
+        glNormal3s(side, 0, 20000)
+        glBegin(GL_QUADS)
+        for x, y in half:
+            glVertex2f(x, y)
+        glEnd()
+
+points = np.array([(*at, 0) for at in LEFT + RIGHT], "f4")
+normals = np.array([(-1, 0, 1)] * 4 + [(1, 0, 1)] * 4, "f4")
 buffer = glGenBuffers(1)
 glBindBuffer(GL_ARRAY_BUFFER, buffer)
 glBufferData(GL_ARRAY_BUFFER, np.concatenate((points, normals)), GL_STATIC_DRAW)
+glEnableClientState(GL_VERTEX_ARRAY)
+glEnableClientState(GL_NORMAL_ARRAY)
+glVertexPointer(3, GL_FLOAT, 0, None)
+glNormalPointer(GL_FLOAT, 0, ctypes.c_void_p(points.nbytes))
+
 def arrays():
-    glEnableClientState(GL_VERTEX_ARRAY)
-    glEnableClientState(GL_NORMAL_ARRAY)
-    glVertexPointer(3, GL_FLOAT, 0, None)
-    glNormalPointer(GL_FLOAT, 0, ctypes.c_void_p(points.nbytes))
-    glDrawArrays(GL_QUADS, 0, 4)
-    glBegin(GL_TRIANGLES)
-    for i in (0, 1, 2):
+    glDrawArrays(GL_QUADS, 0, 8)
+
+def elements():
+    glBegin(GL_QUADS)
+    for i in range(8):
         glArrayElement(i)
     glEnd()
-import ctypes
-glNewList(lists + 2, GL_COMPILE)
-arrays()
-glEndList()
-glNewList(lists + 3, GL_COMPILE)
-gluSphere(gluNewQuadric(), 0.3, 12, 8)
-glEndList()
+
+KINDS = (lambda: sheet(RED, GREEN), said_between, arrays, elements,
+         lambda: gluSphere(gluNewQuadric(), 0.5, 12, 8))
+lists = glGenLists(2 * len(KINDS))
+
+def compiled(first):
+    for i, draw in enumerate(KINDS):
+        glNewList(lists + first + i, GL_COMPILE)
+        draw()
+        glEndList()
+
+compiled(0)
 
 def frame(number):
     glClearColor(1, 1, 1, 1)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
     if number == 2:  # compiled while another style, or none, was on
-        glNewList(lists + 4, GL_COMPILE)
-        roof((GREEN, RED))
-        glEndList()
+        compiled(len(KINDS))
         glBufferSubData(GL_ARRAY_BUFFER, 0, points * np.float32(0.9))
-    glMatrixMode(GL_MODELVIEW)
-    for i in range(5 if number >= 2 else 4):
+    draws = [lambda i=i: glCallList(lists + i) for i in range(2 * len(KINDS) if number > 1 else 5)]
+    for i, draw in enumerate(draws + list(KINDS)):
         glLoadIdentity()
-        glTranslatef(0.3 * i - 0.6, 0.1 * i - 0.2, -0.1 * i)
-        glScalef(0.6, 0.6, 0.6)
+        glTranslatef(0.4 * (i % 5) - 0.8, 0.6 * (i // 5) - 0.6, 0)
+        glScalef(0.3, 0.3, 0.3)
         glRotatef(25, 1, 1, 0)
-        glCallList(lists + i)
-    glLoadIdentity()
-    glTranslatef(0.5, 0.5, 0)
-    glScalef(0.4, 0.4, 0.4)
-    roof((RED, GREEN))
-    arrays()
+        draw()
 
 # A style a frame, then two more of the last.
 for number, style in enumerate(styles + styles[-1:] * 4, start=1):
@@ -226,7 +230,7 @@ with open(sys.argv[1], "wb") as file:
 
 MARKS = "edge_mesh:marked=on"
 RASKAR = "raskar:ink=#ff0000"
-SURFACE = "crease:fill=#ddeeff"
+SURFACE = "crease:fill=#ddeeff,rule=normals,least_angle=0"
 
 
 @cache
