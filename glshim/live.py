@@ -45,6 +45,8 @@ class Controls:
         self._folder, self._pictures = folder, Pictures(settings.folder)
         self._styles = cycle_of(settings.styles, style)
         self._at = 0 if style and style != _PLAIN else -1
+        self._worn: tuple[tuple[Styler | None, str], ...] = ((pipeline.current(), style or ""),)
+        """The last two styles and their texts: one draws, and another may be about to."""
         self._off: Styler | None = None
         """What draws when the shim is switched on again."""
         self._wishes: deque[str] = deque()
@@ -92,7 +94,7 @@ class Controls:
                 keyboard.redraw()  # a program that draws on demand has to show the new style
                 break
         if self._panel is not None:
-            self._panel.show(self._lines)
+            self._panel.show(pipeline.current(), self._lines)
 
     def _cycle(self) -> None:
         self._go(1)
@@ -114,6 +116,7 @@ class Controls:
                 say_once(f"style {text!r} is passed over: {error}")
                 continue
             self._off = None
+            self._worn = (self._worn[-1], (styler, text))
             pipeline.switch(styler)
             return
 
@@ -142,7 +145,7 @@ class Controls:
         drawing = pipeline.current()
         if drawing is None:
             return "off" if self._off is not None else _PLAIN
-        text = self._styles[self._at] if self._at >= 0 else drawing.name
+        text = next((text for styler, text in self._worn if styler is drawing), drawing.name)
         return Path(text).stem if text.endswith(".toml") else text.partition(":")[0].strip()
 
     def _lines(self) -> list[str]:
@@ -206,20 +209,19 @@ class Panel:
     def __init__(self) -> None:
         self._pixels: NDArray[np.uint8] | None = None
         self._said: list[str] = []
-        self._width = 0
+        self._state = (0, 0)
         self._since = -_REWRITTEN_AFTER
 
-    def show(self, lines_of: Callable[[], list[str]]) -> None:
+    def show(self, drawing: Styler | None, lines_of: Callable[[], list[str]]) -> None:
         """Draw it over the picture that is about to be presented."""
         size = frames.drawable_size()
         width = size[0] if size is not None else 1 << 16
-        now = time.monotonic()
-        if self._pixels is None or now - self._since >= _REWRITTEN_AFTER or width != self._width:
+        now, state = time.monotonic(), (id(drawing), width)
+        if self._pixels is None or state != self._state or now - self._since >= _REWRITTEN_AFTER:
             lines = lines_of()
-            if self._pixels is None or lines != self._said or width != self._width:
+            if self._pixels is None or lines != self._said or width != self._state[1]:
                 self._pixels = overlay.panel(lines, width)
-                self._said, self._width = lines, width
-            self._since = now
+            self._said, self._state, self._since = lines, state, now
         overlay.show(self._pixels, size, frames.drawable_framebuffer())
 
 
