@@ -13,8 +13,11 @@ import numpy as np
 import pygame
 import pytest
 from OpenGL import GL
+from OpenGL.GLU import gluNewQuadric, gluSphere
 
 import glshim
+from glshim import pipeline
+from glshim.styling.protocol import Draw, Layer, Styler
 
 
 @pytest.fixture
@@ -257,3 +260,76 @@ def test_a_style_that_comes_later_draws_as_if_it_had_been_on_from_the_start(
     assert switched == from_the_start
     assert last_picture(target, *before, target) == from_the_start
     assert (from_the_start == last_picture(*["off"] * 4)) == (target == "off")
+
+
+def test_installing_another_style_keeps_what_lists_hold(window: None) -> None:
+    name = GL.glGenLists(1)
+    glshim.install("raskar:ink=#ff0000")
+    GL.glNewList(name, GL.GL_COMPILE)
+    GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+    GL.glEndList()
+    pictures = []
+    for style in ("raskar:ink=#0000ff", "none", "raskar:ink=#0000ff"):
+        glshim.install(style)
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glCallList(name)
+        pictures.append(bytes(GL.glReadPixels(0, 0, 64, 64, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)))
+    assert b"\x00\x00\xff" in pictures[0]
+    assert pictures[0] == pictures[2] != pictures[1]
+
+
+class Failing(Styler):
+    """A styler with a fault in it."""
+
+    name = "failing"
+
+    def draws(self, layer: Layer) -> Iterator[Draw]:
+        raise ValueError("the styler's own")
+
+
+def test_a_style_that_fails_ends_alone_where_others_may_come(
+    window: None, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain = frame()
+    pipeline.install(Failing(), live=True)
+    assert [frame(), frame()] == [plain, plain]
+    assert pipeline.current() is None
+    said = capsys.readouterr().err
+    assert said.count("'failing' fails and is switched off: ValueError") == 1
+    pipeline.switch(glshim.parse_style("raskar"))
+    pygame.display.flip()
+    assert frame() != plain
+
+
+def test_memory_stays_flat_when_styles_are_gone_through(window: None) -> None:
+    """After every style was on some times, nothing is added by 200 more switches."""
+    styles = [glshim.parse_style(text) for text in ("raskar", MARKS, SURFACE, "fins", "fur")]
+    pipeline.install("none", live=True)
+    name = GL.glGenLists(1)
+    GL.glNewList(name, GL.GL_COMPILE)
+    gluSphere(gluNewQuadric(), 0.8, 40, 40)
+    GL.glEndList()
+
+    def cycle(switches: int) -> tuple[int, int, int]:
+        for number in range(switches):
+            pipeline.switch(None if number % 7 == 6 else styles[number % len(styles)])
+            frame()
+            GL.glCallList(name)
+            pygame.display.flip()
+        GL.glFinish()
+        made = int(GL.glGenBuffers(1)), int(GL.glGenTextures(1))
+        GL.glDeleteBuffers(1, [made[0]])
+        GL.glDeleteTextures([made[1]])
+        return (resident(), *made)
+
+    cycle(300)
+    before, *names = cycle(100)
+    after, *names_after = cycle(200)
+    assert names_after == names
+    assert after - before < 4 << 20
+
+
+def resident() -> int:
+    """Bytes of memory that this process holds."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4096
