@@ -310,22 +310,20 @@ def test_memory_stays_flat_when_styles_are_gone_through(window: None) -> None:
     gluSphere(gluNewQuadric(), 0.8, 40, 40)
     GL.glEndList()
 
-    def cycle(switches: int) -> tuple[int, int, int]:
+    def cycle(switches: int) -> tuple[int, ...]:
         for number in range(switches):
             pipeline.switch(None if number % 7 == 6 else styles[number % len(styles)])
             frame()
             GL.glCallList(name)
             pygame.display.flip()
         GL.glFinish()
-        made = int(GL.glGenBuffers(1)), int(GL.glGenTextures(1))
-        GL.glDeleteBuffers(1, [made[0]])
-        GL.glDeleteTextures([made[1]])
-        return (resident(), *made)
+        kinds = (GL.glIsBuffer, GL.glIsTexture, GL.glIsProgram, GL.glIsFramebuffer)
+        return (resident(), *(sum(map(is_one, range(1, 20000))) for is_one in kinds))
 
-    cycle(300)
-    before, *names = cycle(100)
-    after, *names_after = cycle(200)
-    assert names_after == names
+    cycle(200)
+    before, *objects = cycle(60)
+    after, *objects_after = cycle(200)
+    assert objects_after == objects
     assert after - before < 4 << 20
 
 
