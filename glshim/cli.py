@@ -11,7 +11,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from glshim import launch, options
+from glshim import keys, launch, options
 from glshim.errors import GlshimError
 from glshim.notices import say
 
@@ -42,6 +42,9 @@ def _parser() -> argparse.ArgumentParser:
         default=DEFAULT_STYLE,
         help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
     )
+    running.add_argument(
+        "--keys", metavar="KEYS", help="keys while it runs: on, off or ACTION=KEY,ACTION=KEY"
+    )
     running.add_argument("--frames", metavar="N", help="end with status 0 after N frames")
     running.add_argument(
         "--capture", metavar="OUT%03d.png", help="write each frame as presented, from number 1"
@@ -64,7 +67,7 @@ def _parser() -> argparse.ArgumentParser:
 
     view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
     view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
-    view.set_defaults(command=_view)
+    view.set_defaults(command=_view, keys="on")
 
     styles = commands.add_parser("styles", help="list the styles and their options")
     styles.add_argument("names", nargs="*", metavar="NAME", help="only these")
@@ -101,6 +104,9 @@ def variables_for(asked: argparse.Namespace) -> dict[str, str]:
     """The flags as the variables that the program's start reads, checked here and now."""
     options.parse_style(asked.style)
     variables = {options.STYLE: options.anchored(asked.style, os.getcwd())}
+    if asked.keys is not None:
+        keys.parse_keys(asked.keys)
+        variables[keys.KEYS] = asked.keys
     if asked.frames is not None:
         variables[options.FRAMES] = str(options.parse_frames(asked.frames))
     if asked.capture is not None:

@@ -19,7 +19,7 @@ from glshim.styling.protocol import Styler
 
 INTERVAL = 0.25
 """Seconds between two looks at the files, at least."""
-AFTER_ALL = 3
+AFTER_ALL = 4
 """Rank among the listeners: when a frame has been presented, and counted."""
 
 Stamp = tuple[tuple[int, int, int] | None, ...]
@@ -67,9 +67,14 @@ class Reloader:
             raise
         return self._styler
 
+    @property
+    def watches(self) -> bool:
+        """Whether the text is that of a file."""
+        return options.is_path(self._text)
+
     def install(self) -> None:
-        """Look at the files where frames end, if the text is that of a file."""
-        if options.is_path(self._text):
+        """Look at the files where frames end, if there are any to watch."""
+        if self.watches:
             frames.install(self._nothing, self.look, rank=AFTER_ALL)
 
     def uninstall(self) -> None:

@@ -36,6 +36,7 @@ SIGNATURES.update(
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glDrawElementsInstanced": "uiupi",
+        "glDrawPixels": "iiuup",
         "glEdgeFlagPointer": "ip",
         "glEnableVertexAttribArray": "u",
         "glEndQuery": "u",
@@ -54,6 +55,7 @@ SIGNATURES.update(
         "glGetShaderInfoLog": "uipp",
         "glLineWidth": "f",
         "glPixelTransferf": "uf",
+        "glPixelZoom": "ff",
         "glPolygonOffset": "ff",
         "glRenderbufferStorage": "uuii",
         "glScissor": "iiii",
@@ -75,6 +77,7 @@ SIGNATURES.update(
         "glVertex2f": "ff",
         "glVertexAttribDivisor": "uu",
         "glVertexAttribPointer": "uiubip",
+        "glWindowPos2i": "ii",
     }
 )
 
