@@ -36,6 +36,7 @@ SIGNATURES.update(
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glDrawElementsInstanced": "uiupi",
+        "glDrawPixels": "iiuup",
         "glEdgeFlagPointer": "ip",
         "glEnableVertexAttribArray": "u",
         "glEndQuery": "u",
@@ -55,6 +56,7 @@ SIGNATURES.update(
         "glGetTexGeniv": "uup",
         "glLineWidth": "f",
         "glPixelTransferf": "uf",
+        "glPixelZoom": "ff",
         "glPolygonOffset": "ff",
         "glRenderbufferStorage": "uuii",
         "glScissor": "iiii",
@@ -77,6 +79,7 @@ SIGNATURES.update(
         "glVertex2f": "ff",
         "glVertexAttribDivisor": "uu",
         "glVertexAttribPointer": "uiubip",
+        "glWindowPos2i": "ii",
     }
 )
 

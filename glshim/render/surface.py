@@ -21,13 +21,18 @@ _BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0
 class Surface:
     """Covers the app's draws with a styler's surface."""
 
-    def __init__(self, surface: str | Colour) -> None:
-        self._surface = surface
+    def __init__(self) -> None:
+        self._surface: str | Colour = "app"
         self._programs: dict[int, tuple[int, int]] = {}
         self._paints: dict[int, Paint] = {}
         self._blend = self._alpha = False
         self._mask = (ctypes.c_int * 4)()
         self._covered = False
+
+    def wear(self, surface: str | Colour) -> None:
+        """Another one from now on: see `Styler.surface`; ``"app"`` covers nothing."""
+        self.uncover()
+        self._surface = surface
 
     @property
     def changes(self) -> bool:
