@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -132,7 +133,8 @@ class Pipeline:
         if not items or self.styler is None:
             return
         try:
-            self._add(self.styler, Layer(items, light(), over, fresh), scene)
+            layer = Layer(items, light(), over, fresh, time.monotonic())
+            self._add(self.styler, layer, scene)
         except Exception as error:
             if not self.live:
                 raise

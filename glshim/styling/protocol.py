@@ -225,7 +225,7 @@ class Expand(Protocol):
         hair: float,
         blur: float,
     ) -> Expansion:
-        """Strips of records (L, 18), see `glshim.geometry.lines.RECORD`. The camera's depth range
+        """Strips of records (L, 21), see `glshim.geometry.lines.RECORD`. The camera's depth range
         is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by which
         depths may not be those of pixel centres."""
 
@@ -263,6 +263,9 @@ class Draw:
     """The shader's own uniforms by name."""
     image: Image | None = None
     """What the fragment shader's sampler ``stroke`` reads."""
+    sheet: int = 0
+    """Draws that follow each other on one sheet keep of each pixel the most ink; those on the next
+    one go over it."""
 
 
 @dataclass(frozen=True)

@@ -24,3 +24,5 @@ class Layer:
     """An earlier layer of the frame lies below."""
     fresh: bool = True
     """The depth buffer holds this layer's polygons alone."""
+    time: float = 0.0
+    """Seconds, from any beginning: what a style that moves by itself goes by."""

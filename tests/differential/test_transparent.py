@@ -32,17 +32,19 @@ STYLES = (
 )  # fmt: skip
 VARIANTS = (
     "shadow:light=fixed", "fur:layers=2", "fins:fill=cel,joints=overhang",
-    "crease:texture=pen,hidden_by=back_faces,indicator=verifiers",
+    "crease:texture=pen,hidden_by=back_faces,indicator=verifiers", "sketch:boil=8",
+    "blueprint:dimensions=1",
 )  # fmt: skip
-"""More of what is drawn in the same way: each scene under one of them, or with EVERY_STYLE=1 in the
+"""More of what is drawn in the same way: each scene under two of them, or with EVERY_STYLE=1 in the
 environment under all."""
 
 
 def styled_scenes() -> Iterator[object]:
     """Pairs of a scene and a style."""
     for k, name in enumerate(SCENES):
-        every = os.environ.get("EVERY_STYLE") == "1"
-        for style in (*STYLES, *(VARIANTS if every else (VARIANTS[k % len(VARIANTS)],))):
+        every, count = os.environ.get("EVERY_STYLE") == "1", len(VARIANTS)
+        two = (VARIANTS[k % count], VARIANTS[(k + 1 + k // count) % count])
+        for style in (*STYLES, *(VARIANTS if every else dict.fromkeys(two))):
             yield pytest.param(name, style, id=f"{name}-{style.partition(',')[0]}")
 
 
