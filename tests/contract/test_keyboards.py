@@ -30,6 +30,7 @@ class Listening:
 
     def press(self, chord: str) -> None:
         self.pressed.append(chord)
+        keyboard.redraw()
 
 
 @pytest.fixture
@@ -139,7 +140,6 @@ def test_glut_windows_without_callbacks_get_ours_once(
     assert library.registered["Special"] is special
     library.registered["Keyboard"](b"k", 0, 0)
     assert ours == ["K"]
-    keyboard.redraw()
     assert library.asked == [1]
     module.glutSpecialFunc.wrappedOperation(None)  # the app wants none any more
     library.modifiers = 1
@@ -157,13 +157,16 @@ def test_glfw_windows_have_a_callback_from_the_start(ours: list[str]) -> None:
     def set_key_callback(window: Any, callback: Any) -> None:
         hooked[window.value] = callback
 
+    woken: list[bool] = []
     library = SimpleNamespace(
-        glfwCreateWindow=lambda *size: window, glfwSetKeyCallback=set_key_callback
-    )
+        glfwCreateWindow=lambda *size: window, glfwSetKeyCallback=set_key_callback,
+        glfwPostEmptyEvent=lambda: woken.append(True),
+    )  # fmt: skip
     hook("glfw", SimpleNamespace(_glfw=library, _GLFWkeyfun=lambda function: function))
     assert library.glfwCreateWindow(3, 4) is window
     hooked[77](window, 75, 0, 1, 0)
     assert ours == ["K"]
+    assert woken == [True]
     got: list[tuple[Any, ...]] = []
     library.glfwSetKeyCallback(window, lambda *key: got.append(key[1:]))
     f5 = 294
