@@ -143,9 +143,9 @@ class Pipeline:
         items = scene.layer.take()
         if not items or self.styler is None:
             return
-        now = time.monotonic()
+        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting)
         try:
-            self._add(self.styler, Layer(items, light(), over, fresh, now, lighting), scene)
+            self._add(self.styler, layer, scene)
         except Exception as error:
             if not self.live:
                 raise
