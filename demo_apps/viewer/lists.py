@@ -1,4 +1,4 @@
-"""A model in display lists, a piece at a time, so that the window goes on while it is sent."""
+"""A model in display lists: one for each of its surfaces, of very large ones several."""
 
 import numpy as np
 from OpenGL import GL, GLU
@@ -6,7 +6,7 @@ from OpenGL import GL, GLU
 from .prepare import Ready, Surface
 
 CLAY = (0.72, 0.70, 0.66)
-PIECE = 50_000  # polygons of one list
+PIECE = 2_000_000  # polygons of one list: the fewer lists, the faster all that looks into them
 MODES = {3: GL.GL_TRIANGLES, 4: GL.GL_QUADS}
 
 

@@ -19,7 +19,8 @@ from .prepare import Ready, prepared
 from .view import View, set_up
 
 AT_ONCE = 0.5  # seconds that a model may take before the window says so
-SENDING = 0.03  # seconds of each frame that go into sending a model
+SENDING = 0.03  # seconds of each frame that go into sending a model, or one list
+SMALL = 100_000  # triangles that are sent within a frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +95,11 @@ class Window:
             self._say(fault)
 
     def show(self, name: str, model: Ready) -> None:
-        """Send a model, now where it is a small one; it is shown once all of it is sent."""
+        """Send a model: a small one now, a large one once the bar says so. It is shown when all of
+        it is sent."""
         self.coming = name, Sent(model)
-        self._send(SENDING)
+        if model.triangles <= SMALL:
+            self.send_all()
 
     def drop(self, paths: "list[str]") -> None:
         """Files that were dropped on the window: the first."""
