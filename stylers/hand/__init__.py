@@ -67,6 +67,9 @@ class Hand:
     """Share of the width by which strokes swell and thin."""
     taper: float = 0.0
     """Pixels at the ends of strokes over which they grow thin."""
+    tip: float = 0.0
+    """Pixels of a stroke that is drawn in its full width; shorter ones are thinner, as drawn with
+    the tip of the pen."""
     corner: float = 40.0
     """Degrees of a turn on the screen at which the pen is lifted."""
     seed: int = 0
@@ -82,6 +85,8 @@ class Hand:
     """Pixels of the brush's picture."""
     coloured: bool = False
     """The brush has colours of its own."""
+    bristles: float = 0.0
+    """Pixels over which its hairs leave the paper at the end of a stroke."""
 
 
 def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
@@ -123,6 +128,8 @@ def _uniforms(hand: Hand, period: float) -> Mapping[str, Uniform]:
         "opacity": hand.opacity,
         "pressure": hand.pressure,
         "taper": hand.taper,
+        "tip": hand.tip,
         "textured": float(hand.image is not None),
         "tinted": float(not hand.coloured),
+        "bristles": hand.bristles,
     }
