@@ -17,7 +17,6 @@ from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
 from stylers.brush.brushes import brush
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
-from stylers.hand.paper import Paper, under
 from stylers.pencil.rubbing import Rubbing, rubbed
 
 
@@ -48,7 +47,6 @@ class Pencil(Styler):
         return self.hatching > 0.0
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
-        yield from under(Paper(self.paper), layer)
         yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured), layer)
         yield from hatched(
             Hatching(

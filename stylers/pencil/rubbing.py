@@ -1,0 +1,54 @@
+"""Soft tones: graphite, or crayon, rubbed into the paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.resources import files
+
+from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
+from glshim.styling.protocol import Colour, Layer, Uniform
+from stylers.edge_mesh.tones import grain
+from stylers.hand.paper import UNDER
+
+_STATE = State(depth="always", blend="off")
+
+
+@dataclass(frozen=True, slots=True)
+class Rubbing:
+    """Paper, and what is rubbed into it."""
+
+    paper: Colour
+    ink: Colour
+    strength: float = 0.7
+    """Of the tone, 0..1; 0: bare paper."""
+    coloured: float = 0.0
+    """Share of the program's own colours in it, 0..1."""
+
+
+@cache
+def _shader() -> MeshShader:
+    tones, here = files("stylers.edge_mesh"), files(__package__)
+    vertex, tone = ((tones / f"{name}.glsl").read_text("utf-8") for name in ("recede.vert", "tone"))
+    return MeshShader("rubbing", vertex, tone + (here / "rubbing.frag.glsl").read_text("utf-8"))
+
+
+def rubbed(look: Rubbing, layer: Layer) -> Iterator[Pass]:
+    """One pass over every window. A layer over another lies on that one's paper, but for the
+    surfaces of a view of its own."""
+    if layer.over and not layer.fresh:
+        return
+    uniforms: dict[str, Uniform] = {
+        "paper": look.paper, "behind": int(not layer.over), "ink": look.ink,
+        "strength": look.strength, "coloured": look.coloured,
+    }  # fmt: skip
+    windows = {body.camera.viewport: body for body in bodies(layer)}
+    screens = tuple(map(_whole, windows.values()))
+    yield Pass(
+        _shader(), screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=UNDER
+    )
+
+
+def _whole(body: Body) -> Body:
+    return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))
