@@ -18,9 +18,9 @@ from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, measure
 from glshim.geometry.coherence import Drawn, Past, follow, keep
 from glshim.geometry.edges import Edges
-from glshim.geometry.hand import GOLDEN, begun_anywhere, lifts
 from glshim.geometry.folds import FLAT, Folds, Topology
 from glshim.geometry.gather import Places
+from glshim.geometry.hand import GOLDEN, begun_anywhere, lifts
 from glshim.geometry.lines import (
     BOUNDARY,
     CONTOUR,

@@ -100,7 +100,7 @@ class _Run:
         turn = self._turns(following)
         gap = np.abs(self._from[following] - self._to) > _GAP
         gap[self.last[~self.loop]] = True
-        found = self._sharpest(turn, corner) | gap
+        found: Flags = self._sharpest(turn, corner) | gap
         self.open_seam = found[self.last].copy()
         found[self.last] = True
         return found

@@ -98,8 +98,11 @@ class Pen:
         width = sum(names.values())
         source = self.context.buffer(records)
         target = self.context.buffer(reserve=len(records) * shader.vertices * width * 4)
-        layout = " ".join(f"{size}f" for size in _INPUTS.values()) + " /i"
-        array = self.context.vertex_array(program.made, [(source, layout, *_INPUTS)])
+        used = [name for name in _INPUTS if name in program.made]  # compilers drop the others
+        steps = (f"{n}f" if name in used else f"{n}x4" for name, n in _INPUTS.items())
+        array = self.context.vertex_array(
+            program.made, [(source, " ".join(steps) + " /i", *used)]
+        )
         array.transform(target, moderngl.POINTS, shader.vertices, instances=len(records))
         found = np.frombuffer(target.read(), np.float32).reshape(len(records), -1, width)
         for held in (array, source, target):

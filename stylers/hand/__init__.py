@@ -8,7 +8,7 @@ where it was while the model turns (`glshim.geometry.coherence`).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -63,6 +63,8 @@ class Hand:
     """Pixels by which the hand strays."""
     overshoot: float = 0.0
     """Pixels by which strokes go on beyond their ends, about."""
+    overshoot_share: float = 0.1
+    """Of a stroke's length by which it goes on at most."""
     pressure: float = 0.0
     """Share of the width by which strokes swell and thin."""
     taper: float = 0.0
@@ -88,11 +90,15 @@ class Hand:
     bristles: float = 0.0
     """Pixels over which its hairs leave the paper at the end of a stroke."""
 
+    @property
+    def period(self) -> float:
+        """Pixels of a stroke after which brush and motion repeat."""
+        return self.length if self.image is not None else _PERIOD
 
-def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
-    """Every line so often as the hand draws it, each time on a sheet of its own."""
-    period = hand.length if hand.image is not None else _PERIOD
-    wanted = Features(
+
+def features(hand: Hand) -> Features:
+    """The lines that are drawn, as strokes from corner to corner."""
+    return Features(
         True,
         radians(hand.ridge_angle + _GRAIN),
         radians(hand.valley_angle),
@@ -100,18 +106,24 @@ def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
         smooth=hand.smooth,
         suggestive=hand.suggestive,
         tolerance=hand.tolerance,
-        pattern=Pattern((period,) * GROUPS, 0.0, radians(hand.corner)),
+        pattern=Pattern((hand.period,) * GROUPS, 0.0, radians(hand.corner)),
     )
-    common = _uniforms(hand, period)
+
+
+def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
+    """Every line so often as the hand draws it, each time on a sheet of its own."""
+    wanted = features(hand)
+    common = uniforms(hand)
     tick = floor(layer.time * hand.boil) % 997
     for number in range(hand.strokes):
         seed = float((31 * hand.seed + 7 * number + 13 * tick) % 1009)
-        uniforms = {**common, "jitter_seed": seed / 101.0}
+        drawn = {**common, "jitter_seed": seed / 101.0}
         for batch, camera in layer.items:
-            yield Draw(batch, camera, wanted, shader(), uniforms, hand.image, sheet=number)
+            yield Draw(batch, camera, wanted, shader(), drawn, hand.image, sheet=number)
 
 
-def _uniforms(hand: Hand, period: float) -> Mapping[str, Uniform]:
+def uniforms(hand: Hand) -> dict[str, Uniform]:
+    """What the shader asks of a hand, all but the seed of its motions."""
     ridge, valley = radians(hand.ridge_angle), radians(hand.valley_angle)
     outline, inner = hand.widths
     # Outlines are groups 0 and 5 (`glshim.geometry.lines.GROUPS`).
@@ -123,8 +135,9 @@ def _uniforms(hand: Hand, period: float) -> Mapping[str, Uniform]:
         "valley_turn": (cos(valley), sin(valley)),
         "hidden_share": 0.0,
         "wobble": hand.wobble,
-        "period": period,
+        "period": hand.period,
         "overshoot": hand.overshoot,
+        "overshoot_share": hand.overshoot_share,
         "opacity": hand.opacity,
         "pressure": hand.pressure,
         "taper": hand.taper,

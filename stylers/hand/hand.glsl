@@ -8,10 +8,11 @@ PASSED vec4 hand;           // pixels of the stroke before a and after b; beyond
 uniform float wobble;       // pixels by which the hand strays
 uniform float period;       // pixels of a stroke after which its motion repeats
 uniform float overshoot;    // pixels beyond the ends of a stroke
+uniform float overshoot_share;  // of its length, at most
 uniform float jitter_seed;  // a number for each motion of the hand
 
 const float TURN = 6.2831853;
-const float WHOLE = 60.0;   // pixels of a stroke that strays and overshoots in full
+const float WHOLE = 60.0;   // pixels of a stroke that strays in full
 const float AT_END = 0.02;  // pixels
 
 float chance(float n) { return fract(sin(12.9898 * n + 78.233 * jitter_seed) * 43758.5453); }

@@ -26,8 +26,7 @@ void main() {
         if (!mostly_seen()) return;
         hand.w = 1.0;
     }
-    float share = min(stroke_length() / WHOLE, 1.0);
-    hand.z = overshoot * share * (0.5 + chance(17.0 + floor(way() + 1.5)));
+    hand.z = min(overshoot, overshoot_share * stroke_length()) * (0.5 + chance(17.0 + way()));
 
     float reach = 0.75 * width + 1.6 * wobble * share_of_motion() + 1.0;
     bool far = gl_VertexID > 1;

@@ -58,4 +58,6 @@ def under(paper: Paper, layer: Layer) -> Iterator[Pass]:
 
 
 def _whole(body: Body) -> Body:
+    if body.camera.scissor is None and body.camera.depth_range == (0.0, 1.0):
+        return body
     return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))

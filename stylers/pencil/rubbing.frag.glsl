@@ -19,16 +19,16 @@ void main() {
     }
     vec3 seen = shown(place);
     float value = max(max(seen.r, seen.g), max(seen.b, 0.05));
-    float dark = 1.0 - smoothstep(0.03, 0.88, brightness(seen));
+    float dark = 1.0 - smoothstep(0.0, 0.85, brightness(seen));
     // The side of the lead goes over the tooth, all one way.
     vec2 turned = vec2(0.8 * at.x + 0.6 * at.y, 0.8 * at.y - 0.6 * at.x);
     float sweep = grain(turned * vec2(0.12, 1.0), 1.0).g - 0.5;
-    float tooth = mix(fine.r, grain(turned * vec2(0.25, 1.0), 1.0).r, 0.35);
+    float tooth = 0.55 * fine.r + 0.3 * grain(turned * vec2(0.4, 1.3) + 131.0, 1.0).r + 0.15;
     vec3 hue = clamp(mix(vec3(brightness(seen / value)), seen / value, 1.25), 0.0, 1.0);
     float pure = 1.0 - min(min(hue.r, hue.g), hue.b);
     float press = strength * mix(dark, 0.75 * pure + 0.55 * dark, coloured);
-    press *= 0.92 + 0.4 * sweep + 0.25 * (wide.b - 0.5);
-    float cover = 0.42 * press + 0.5 * press * smoothstep(-0.25, 0.35, 1.15 * press - tooth);
+    press *= 0.95 + 0.3 * sweep + 0.2 * (wide.b - 0.5);
+    float cover = 0.55 * press + 0.6 * press * smoothstep(-0.4, 0.4, 1.2 * press - tooth);
     vec3 crayon = mix(vec3(1.0), hue * mix(1.0, value, 0.55), 1.0) * mix(0.92, 1.0, fine.g);
     vec3 pigment = mix(ink, crayon, coloured);
     colour = vec4(mix(sheet, pigment * mix(vec3(1.0), sheet, 0.35), clamp(cover, 0.0, 0.95)), 1.0);
