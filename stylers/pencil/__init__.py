@@ -26,7 +26,7 @@ class Pencil(Styler):
 
     name: ClassVar[str] = "pencil"
 
-    width: float = option(3.0, help="width of an outline's stroke", low=0.5, high=32.0, unit="px")
+    width: float = option(2.6, help="width of an outline's stroke", low=0.5, high=32.0, unit="px")
     inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
     opacity: float = option(0.75, help="of one stroke", low=0.02, high=1.0)
     strokes: float = option(2.0, help="how often each line is drawn", low=1.0, high=8.0)

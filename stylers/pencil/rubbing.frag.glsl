@@ -26,10 +26,11 @@ void main() {
     float tooth = 0.55 * fine.r + 0.3 * grain(turned * vec2(0.4, 1.3) + 131.0, 1.0).r + 0.15;
     vec3 hue = clamp(mix(vec3(brightness(seen / value)), seen / value, 1.25), 0.0, 1.0);
     float pure = 1.0 - min(min(hue.r, hue.g), hue.b);
-    float press = strength * mix(dark, 0.75 * pure + 0.55 * dark, coloured);
+    float press = strength * mix(dark, max(dark, 0.75 * pure + 0.5 * dark), coloured);
     press *= 0.95 + 0.3 * sweep + 0.2 * (wide.b - 0.5);
     float cover = 0.55 * press + 0.6 * press * smoothstep(-0.4, 0.4, 1.2 * press - tooth);
-    vec3 crayon = mix(vec3(1.0), hue * mix(1.0, value, 0.55), 1.0) * mix(0.92, 1.0, fine.g);
-    vec3 pigment = mix(ink, crayon, coloured);
+    // Greys are the graphite's own.
+    vec3 crayon = mix(ink, hue * mix(1.0, value, 0.55), smoothstep(0.05, 0.3, pure));
+    vec3 pigment = mix(ink, crayon * mix(0.92, 1.0, fine.g), coloured);
     colour = vec4(mix(sheet, pigment * mix(vec3(1.0), sheet, 0.35), clamp(cover, 0.0, 0.95)), 1.0);
 }
