@@ -109,7 +109,8 @@ def pen2b(sheet: _Sheet) -> Doubles:
     hair = max(0.8, sheet.width / 16.0)
     streak = even(sheet.field(hair, 150.0) + 0.55 * sheet.field(0.7 * hair, 28.0))
     lean = 0.5 + 0.5 * sheet.across * np.tanh(1.4 * sheet.line(170.0))
-    dry = (1.0 - 0.7 * sheet.firm) * np.clip(0.44 + 0.22 * np.tanh(sheet.line(120.0)), 0.0, 1.0) * (0.45 + 0.85 * lean)
+    dry = (0.44 + 0.22 * np.tanh(sheet.line(120.0))) * (0.45 + 0.85 * lean)
+    dry *= 1.0 - 0.7 * sheet.firm
     swell = 0.82 + 0.1 * np.tanh(sheet.line(90.0))
     frayed = 0.05 * sheet.line(6.0) + 0.07 * sheet.line(30.0)
     body = sheet.body(-swell + frayed, swell + 0.05 * sheet.line(6.0), 1.2)

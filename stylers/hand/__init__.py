@@ -19,6 +19,7 @@ from glshim.geometry.feature_lines import Features
 from glshim.geometry.lines import GROUPS
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Uniform
+from stylers.hand.expansion import expand
 
 _HERE = files(__package__)
 _RASKAR = files("stylers.raskar")
@@ -41,6 +42,7 @@ def shader() -> Shader:
         stroke + trace + _text("hand") + _text("hand.vert"),
         stroke + _text("hand") + _text("hand.frag"),
         vertices=4,
+        expand=expand,
     )
 
 
