@@ -20,7 +20,7 @@ from glshim.geometry.coherence import Drawn, Past, follow, keep
 from glshim.geometry.edges import Edges
 from glshim.geometry.folds import FLAT, Folds, Topology
 from glshim.geometry.gather import Places
-from glshim.geometry.hand import GOLDEN, begun_anywhere, lifts
+from glshim.geometry.hand import begun_anywhere, lifts, own_numbers
 from glshim.geometry.lines import (
     BOUNDARY,
     CONTOUR,
@@ -231,7 +231,7 @@ class _Seen:
         if not outline:
             found[:, 12:15] = unit(lines.normals[b] @ turn.T)
         found[:, 15] = kind
-        found[:, 20] = rows * GOLDEN % 1.0
+        found[:, 20] = own_numbers(rows)
         return found
 
 

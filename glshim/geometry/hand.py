@@ -27,7 +27,7 @@ _GAP = 1.5
 """Pixels between the end of a line and the beginning of the next at which the pen is lifted: the
 near plane has cut out what lay there."""
 
-GOLDEN = 0.6180339887498949
+_GOLDEN = 0.6180339887498949
 """Multiples of it, less their whole parts, are far apart."""
 
 
@@ -69,8 +69,13 @@ def lifts(walk: Walk, corner: float) -> tuple[Doubles, Doubles]:
 def begun_anywhere(walk: Walk) -> Walk:
     """The same strokes, each from a place of its own in the pattern: all edges of a cube would else
     be drawn with the same motion of the hand."""
-    start = np.where(walk.stroke >= 0, walk.stroke * GOLDEN % 1.0, 0.0)
+    start = np.where(walk.stroke >= 0, walk.stroke * _GOLDEN % 1.0, 0.0)
     return replace(walk, begin=walk.begin + start, finish=walk.finish + start)
+
+
+def own_numbers(rows: Indices) -> Doubles:
+    """(N,) in 0..1 for edges by their rows (N,): not 0, and near rows are apart."""
+    return np.asarray((rows + 1) * _GOLDEN % 1.0)
 
 
 class _Run:

@@ -12,6 +12,7 @@ from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, link, measure
 from glshim.geometry.edges import Doubles, Edges, Flags, Indices, neighbours
 from glshim.geometry.gather import Places
+from glshim.geometry.hand import own_numbers
 from glshim.geometry.vectors import unit
 
 Floats = NDArray[np.float32]
@@ -37,7 +38,7 @@ RECORD = 21
 window, c is where an outline goes on from b, or b), unit normals of the own and of the other
 polygon (3 each; the other's is zero where none is known), kind, repeats of a pattern at a and at b
 (the same where there is none), pixels of its stroke before a and after b (`Pattern.corner`), and a
-number in 0..1 that an edge of a mesh keeps (0 for other lines)."""
+number in 0..1 that an edge keeps (0 for lines that are none)."""
 
 GROUPS = 8
 """Groups of lines that have a width and a colour of their own: 0 silhouettes, 1 ridges, 2 valleys,
@@ -212,7 +213,8 @@ class Seen:
         records[:, 6:9] = ends[:, 1]
         records[:, 9:12] = normals
         records[:, 12:15] = beyond
-        records[:, 16:] = 0.0
+        records[:, 16:20] = 0.0
+        records[:, 20] = own_numbers(sides)
         return records
 
     def _ends(self, sides: Indices) -> Floats:

@@ -27,9 +27,9 @@ void main() {
     vec2 from_a = gl_FragCoord.xy - line_a.xy;
     float t = dot(from_a, along), s = dot(from_a, out_1);
     float reach = near(s - 0.5 * OFF - 4.0, 0.5 * OFF);
-    float ink = reach * max(near(t, 0.2), near(t - span, 0.2));
+    float ink = reach * max(near(t, 0.35), near(t - span, 0.35));
     float inside = near(t - 0.5 * span, 0.5 * span);
-    ink = max(ink, inside * near(s - OFF, 0.2));
+    ink = max(ink, inside * near(s - OFF, 0.35));
     float from_end = min(t, span - t);
     ink = max(ink, inside * near(s - OFF, 0.3 * from_end) * step(from_end, ARROW));
 
