@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from math import floor
 
-from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
+from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.protocol import Colour, Layer, Uniform
 from stylers.edge_mesh.tones import grain
+from stylers.hand.paper import UNDER, windows
 
-UNDER = -1
-"""The sheet: strokes go over it."""
 _STATE = State(depth="always", blend="off")
 
 
@@ -48,12 +47,7 @@ def painted(paint: Paint, layer: Layer) -> Iterator[Pass]:
         "paper": paint.paper, "behind": int(not layer.over), "ink": (0.0, 0.0, 0.0),
         "tint": paint.tint, "dab": paint.dab, "dab_seed": float(tick + 61 * (paint.seed % 61)),
     }  # fmt: skip
-    windows = {body.camera.viewport: body for body in bodies(layer)}
-    screens = tuple(map(_whole, windows.values()))
     yield Pass(
-        _shader(), screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=UNDER
-    )
-
-
-def _whole(body: Body) -> Body:
-    return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))
+        _shader(), windows(layer), "screen", state=_STATE, uniforms=uniforms, image=grain(),
+        sheet=UNDER,
+    )  # fmt: skip

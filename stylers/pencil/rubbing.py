@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
+from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.protocol import Colour, Layer, Uniform
 from stylers.edge_mesh.tones import grain
-from stylers.hand.paper import UNDER
+from stylers.hand.paper import UNDER, windows
 
 _STATE = State(depth="always", blend="off")
 
@@ -43,12 +43,7 @@ def rubbed(look: Rubbing, layer: Layer) -> Iterator[Pass]:
         "paper": look.paper, "behind": int(not layer.over), "ink": look.ink,
         "strength": look.strength, "coloured": look.coloured,
     }  # fmt: skip
-    windows = {body.camera.viewport: body for body in bodies(layer)}
-    screens = tuple(map(_whole, windows.values()))
     yield Pass(
-        _shader(), screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=UNDER
-    )
-
-
-def _whole(body: Body) -> Body:
-    return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))
+        _shader(), windows(layer), "screen", state=_STATE, uniforms=uniforms, image=grain(),
+        sheet=UNDER,
+    )  # fmt: skip

@@ -21,7 +21,6 @@ from glshim.options import (
 )
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
-from stylers.edge_mesh import EdgeMesh
 from stylers.looks import looks
 from stylers.raskar import Raskar
 from stylers.strokes import MADE
@@ -76,11 +75,12 @@ def test_an_unknown_name_carries_its_nearest_matches() -> None:
 @pytest.mark.parametrize("name", looks())
 def test_a_look_is_a_style_file_that_comes_with_glshim(name: str) -> None:
     style = parse_style(name)
-    assert isinstance(style, EdgeMesh)
-    assert style != EdgeMesh()
-    assert parse_style(f" {name} : contour_width=9, ridges=off") == dataclasses.replace(
-        style, contour_width=9, ridges=False
-    )
+    assert style != type(style)()
+    kinds = ("number", "colour")
+    some = {kind: next(o.name for o in options_of(type(style)) if o.kind == kind) for kind in kinds}
+    mine = {some["number"]: 3, some["colour"]: "#0000ff"}
+    text = ", ".join(f"{option}={value}" for option, value in mine.items())
+    assert parse_style(f" {name} : {text}") == dataclasses.replace(style, **mine)
     title, text = describe_look(name).splitlines()
     assert title.startswith(f"{name}: ")
     assert parse_style(text) == style
