@@ -57,10 +57,21 @@ class Brush(Styler):
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
         image, length, coloured = brush(self.brush, self.width)
         hand = Hand(
-            120.0, 240.0, (self.width, self.inner * self.width), (self.ink, self.ink),
-            strokes=round(self.layers), opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.25, taper=1.5 * self.width, boil=self.boil,
-            image=image, length=length, coloured=coloured, bristles=_BRISTLES * self.width,
+            120.0,
+            240.0,
+            (self.width, self.inner * self.width),
+            (self.ink, self.ink),
+            strokes=round(self.layers),
+            opacity=self.opacity,
+            wobble=self.jitter,
+            overshoot=self.overshoot,
+            pressure=0.25,
+            taper=1.5 * self.width,
+            boil=self.boil,
+            image=image,
+            length=length,
+            coloured=coloured,
+            bristles=_BRISTLES * self.width,
             tip=_FULL * self.width,
         )
         yield from strokes(hand, layer)

@@ -47,8 +47,12 @@ def test_the_sides_of_a_square_are_a_stroke_each(group, shuffle):
 
 @pytest.mark.parametrize("group", [OUTLINE, CREASE])
 def test_sides_of_many_lines_are_a_stroke_each(group):
-    points = np.concatenate([np.linspace(one, other, 8, endpoint=False)
-                             for one, other in zip(SQUARE, SQUARE[1:] + SQUARE[:1], strict=True)])
+    points = np.concatenate(
+        [
+            np.linspace(one, other, 8, endpoint=False)
+            for one, other in zip(SQUARE, SQUARE[1:] + SQUARE[:1], strict=True)
+        ]
+    )
     before, size, after = drawn(*polyline(points, closed=True, shuffle=3), group)
     assert before + size + after == pytest.approx(200.0, abs=1e-3)
     assert sorted(before.round(2)) == pytest.approx(sorted(4 * [25.0 * k for k in range(8)]))
