@@ -95,7 +95,12 @@ class Hand:
     @property
     def period(self) -> float:
         """Pixels of a stroke after which brush and motion repeat."""
-        return self.length if self.image is not None else _PERIOD
+        return self.length * self.tiles if self.image is not None else _PERIOD
+
+    @property
+    def tiles(self) -> int:
+        """How often the brush repeats while the motion does once: pictures may be short."""
+        return max(round(_PERIOD / self.length), 1)
 
 
 def features(hand: Hand) -> Features:
@@ -146,5 +151,6 @@ def uniforms(hand: Hand) -> dict[str, Uniform]:
         "tip": hand.tip,
         "textured": float(hand.image is not None),
         "tinted": float(not hand.coloured),
+        "tiles": float(hand.tiles),
         "bristles": hand.bristles,
     }

@@ -8,6 +8,7 @@ uniform float pressure;       // share of its width that a stroke swells and thi
 uniform float taper;          // pixels at the ends of strokes over which they grow thin
 uniform float tip;            // pixels of a stroke that is drawn in full width, shorter ones thinner
 uniform float textured;       // 1.0: with a brush
+uniform float tiles;          // brushes for each repeat of the motion
 uniform float tinted;         // 1.0: the brush is grey and takes the line's colour
 uniform sampler2D stroke;     // premultiplied
 uniform float bristles;       // pixels over which a brush's hairs leave the paper, one after another
@@ -41,7 +42,7 @@ void main() {
     float cover = clamp(max(half_width, 0.5) + 0.5 - off, 0.0, 1.0) * min(half_width / 0.5, 1.0);
     vec4 drawn = vec4(inks[group], 1.0);
     if (textured > 0.0) {
-        vec2 place = vec2(at + chance(5.0), 0.5 + 0.5 * way() * s / half_width);
+        vec2 place = vec2(tiles * at + chance(5.0), 0.5 + 0.5 * way() * s / half_width);
         drawn = texture(stroke, place);
         if (tinted > 0.0) drawn.rgb *= inks[group];
         if (bristles > 0.0 && left < 4.0 * bristles)

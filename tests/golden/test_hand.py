@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from glshim.geometry.camera import Camera
 from glshim.geometry.chains import Pattern
@@ -229,6 +230,25 @@ def test_every_brush_leaves_ink_along_every_line(backend, name):
         near = [np.abs(inked - place).max(axis=1).min() for place in places[::7]]
         assert max(near) <= 20, (name, width, max(near))
         assert np.mean(near) < 3.0, (name, width)
+
+
+def test_a_short_picture_repeats_more_often_than_the_motion_of_the_hand(backend, tmp_path):
+    """A dash and a gap, 16 pixels together: so are they around a sphere, however it strays."""
+    path = tmp_path / "dash.png"
+    dash = np.full((8, 32), 255, np.uint8)
+    dash[:, :16] = 0
+    Image.fromarray(dash).save(path)
+    camera = camera_at((1, 0.2, 0.3), parallel=True)
+    for jitter in (0.0, 3.0):
+        style = Brush(brush=str(path), width=4, inner=1, jitter=jitter, tint=0, paper="#ffffff",
+                      ink="#000000", opacity=1)  # fmt: skip
+        after = frame(backend, style, 0.0, (look.sphere(96, 48), camera))[1]
+        y, x = np.mgrid[:SIZE, :SIZE] + 0.5 - SIZE / 2
+        around = np.round((np.arctan2(y, x) % (2 * np.pi)) * 180 / np.pi, 6)
+        ring = np.abs(np.hypot(x, y) - 120) < 10
+        dark = np.bincount(around[ring].astype(int), after.max(axis=2)[ring] < 128, 360) > 2
+        dashes = (dark & ~np.roll(dark, 1)).sum()
+        assert abs(dashes - 2 * np.pi * 120 / 16) < 6
 
 
 def test_brushes_look_unlike_each_other(backend):
