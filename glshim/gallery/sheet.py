@@ -34,7 +34,7 @@ def write_sheet(path: Path, title: str, tiles: Sequence[Tile], columns: int) -> 
     pictures = [None if tile.fault else Image.open(tile.picture).convert("RGB") for tile in tiles]
     shapes = [picture.height / picture.width for picture in pictures if picture]
     height = round(_WIDTH * max(shapes, default=0.75))
-    cell = (_WIDTH + _GAP, height + 60 + _GAP)
+    cell = (_WIDTH + _GAP, height + 78 + _GAP)
     columns = min(columns, len(tiles))
     rows = -(-len(tiles) // columns)
     top = _MARGIN + 52
@@ -47,36 +47,35 @@ def write_sheet(path: Path, title: str, tiles: Sequence[Tile], columns: int) -> 
         y = top + number // columns * cell[1]
         if picture is None:
             pen.rectangle((x, y, x + _WIDTH - 1, y + height - 1), outline=_RED, width=2)
-            _paragraph(pen, (x + 12, y + 12), tile.fault, _RED, height - 24)
+            box = (x + 12, y + 12, _WIDTH - 24)
+            _paragraph(pen, box, tile.fault, _RED, most=max(height // 20 - 2, 1))
         else:
             low = round(_WIDTH * picture.height / picture.width)
             sheet.paste(picture.resize((_WIDTH, low), Image.Resampling.LANCZOS), (x, y))
-        _line(pen, (x, y + height + 8), tile.name, _INK, _NAME)
-        _line(pen, (x, y + height + 34), tile.summary, _DIM, _TEXT)
+        _paragraph(pen, (x, y + height + 8, _WIDTH), tile.name, _INK, most=1, size=_NAME)
+        _paragraph(pen, (x, y + height + 34, _WIDTH), tile.summary, _DIM, most=2)
     sheet.save(path, optimize=True)
 
 
-def _line(
-    pen: ImageDraw.ImageDraw, at: tuple[int, int], text: str, colour: str, size: int
-) -> None:
-    """One line, cut where the picture above it ends."""
-    font = ImageFont.load_default(size)
-    if pen.textlength(text, font) > _WIDTH:
-        while text and pen.textlength(text + "...", font) > _WIDTH:
-            text = text[:-1]
-        text = text.rstrip(" ,:;") + "..."
-    pen.text(at, text, colour, font)
-
-
 def _paragraph(
-    pen: ImageDraw.ImageDraw, at: tuple[int, int], text: str, colour: str, height: int
-) -> None:
-    font = ImageFont.load_default(_TEXT)
+    pen: ImageDraw.ImageDraw, box: tuple[int, int, int], text: str, colour: str, *, most: int,
+    size: int = _TEXT,
+) -> None:  # fmt: skip
+    """Text from a place on, in lines of a width, and no more of them than there may be."""
+    x, y, width = box
+    font = ImageFont.load_default(size)
     lines = [""]
     for word in text.split():
         longer = f"{lines[-1]} {word}".strip()
-        if pen.textlength(longer, font) <= _WIDTH - 24:
+        if pen.textlength(longer, font) <= width:
             lines[-1] = longer
         else:
-            lines.append(word[:60])
-    pen.multiline_text(at, "\n".join(lines[: max(height // 20, 1)]), colour, font, spacing=4)
+            lines.append(word)
+    shown = [line for line in lines if line][:most]
+    if shown and (len(lines) > most or pen.textlength(shown[-1], font) > width):
+        shown[-1] += " ..."
+    for number, line in enumerate(shown):
+        fitting = line
+        while pen.textlength(fitting, font) > width:
+            fitting = fitting.removesuffix("...")[:-1].rstrip(" ,:;(") + "..."
+        pen.text((x, y + number * (size + 4)), fitting, colour, font)
