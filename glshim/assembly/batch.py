@@ -17,10 +17,14 @@ class Wanted:
     """`PolygonBatch.regions`."""
     normals: bool = False
     """`PolygonBatch.normals`."""
+    lights: bool = False
+    """`Camera.lit` of the cameras that they are drawn with, and the lights of a layer."""
 
 
 POSITIONS = Wanted()
 """Nothing beside them."""
+WHOLE = Wanted(colours=True, normals=True)
+"""All there is: what a display list is recorded with, for any style may be on when it is called."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -38,6 +38,9 @@ class Pattern:
     of that kind have none."""
     middle: float = 0.0
     """Pixels outside an outline's sides at which its length is measured: what counts at corners."""
+    corner: float | None = None
+    """Radians; where a stroke turns by more, a hand lifts the pen, and strokes begin anywhere in
+    the pattern. None: nobody asks (`glshim.geometry.hand`)."""
 
 
 def link(a: Floats, b: Floats) -> Indices:

@@ -20,6 +20,7 @@ from glshim.geometry.coherence import Drawn, Past, follow, keep
 from glshim.geometry.edges import Edges
 from glshim.geometry.folds import FLAT, Folds, Topology
 from glshim.geometry.gather import Places
+from glshim.geometry.hand import begun_anywhere, lifts, own_numbers
 from glshim.geometry.lines import (
     BOUNDARY,
     CONTOUR,
@@ -120,7 +121,7 @@ class EdgeLines:
         return self._seen(modelview, camera).decided(wanted)
 
     def found(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
-        """(L, 18) records of the features as a camera sees them, of an object under a modelview.
+        """(L, 21) records of the features as a camera sees them, of an object under a modelview.
         Outlines do not know yet where they go on."""
         seen = self._seen(modelview, camera)
         edges = seen.decided(wanted)
@@ -230,6 +231,7 @@ class _Seen:
         if not outline:
             found[:, 12:15] = unit(lines.normals[b] @ turn.T)
         found[:, 15] = kind
+        found[:, 20] = own_numbers(rows)
         return found
 
 
@@ -239,7 +241,7 @@ def feature_lines(
     wanted: Features,
     past: Past | None = None,
 ) -> tuple[Floats, Past | None]:
-    """(L, 18) float32 records of the features of objects, each under its modelview (4, 4), eye
+    """(L, 21) float32 records of the features of objects, each under its modelview (4, 4), eye
     space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
     patterns follow; past is what the frame before gave."""
     own = replace(wanted, boundary=False)
@@ -257,6 +259,9 @@ def feature_lines(
     placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
     placed = (*placed, (("seams", *named), np.eye(4)))
     drawn = Drawn(walk, a, b, group, owner, placed)
+    if wanted.pattern.corner is not None:
+        whole[:, 18], whole[:, 19] = lifts(walk, wanted.pattern.corner)
+        drawn = replace(drawn, walk=begun_anywhere(walk))
     if past is not None:
         drawn = replace(drawn, walk=follow(drawn, camera, past))
     turns = np.floor(drawn.walk.begin)

@@ -12,6 +12,7 @@ from glshim.geometry.camera import Camera, cofactors
 from glshim.geometry.chains import Pattern, link, measure
 from glshim.geometry.edges import Doubles, Edges, Flags, Indices, neighbours
 from glshim.geometry.gather import Places
+from glshim.geometry.hand import own_numbers
 from glshim.geometry.vectors import unit
 
 Floats = NDArray[np.float32]
@@ -32,11 +33,12 @@ LONE_RIDGE (2.2), LONE_VALLEY (2.3): the quad at the threshold angle, where no n
 depth decides.
 INTERSECTION: where two polygons pass through each other (2.4)."""
 
-RECORD = 18
+RECORD = 21
 """Floats of one record, eye space: a, b, c (3 each; the own polygon lies left of a to b in the
 window, c is where an outline goes on from b, or b), unit normals of the own and of the other
 polygon (3 each; the other's is zero where none is known), kind, repeats of a pattern at a and at b
-(the same where there is none)."""
+(the same where there is none), pixels of its stroke before a and after b (`Pattern.corner`), and a
+number in 0..1 that an edge keeps (0 for lines that are none)."""
 
 GROUPS = 8
 """Groups of lines that have a width and a colour of their own: 0 silhouettes, 1 ridges, 2 valleys,
@@ -77,7 +79,7 @@ class Choice:
 
 
 def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice) -> Floats:
-    """(L, 18) float32 records of the lines, eye space; see `RECORD`. All but intersections.
+    """(L, 21) float32 records of the lines, eye space; see `RECORD`. All but intersections.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
     polygon is back-facing, a quad where it is front-facing. Where another side lies on its edge,
@@ -114,7 +116,7 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
 
 
 def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
-    """Write into records (L, 18) how far along a pattern each line lies, whatever their kinds."""
+    """Write into records (L, 21) how far along a pattern each line lies, whatever their kinds."""
     group = group_of(records)
     found = measure(records[:, 0:3], records[:, 3:6], group, camera, pattern)
     turns = np.floor(found.begin)
@@ -122,12 +124,12 @@ def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
 
 
 def kind_of(records: Floats) -> Indices:
-    """(L,) kinds of line of records (L, 18)."""
+    """(L,) kinds of line of records (L, 21)."""
     return np.asarray(records[:, 15].astype(np.intp) % GROUP)
 
 
 def group_of(records: Floats) -> Indices:
-    """(L,) groups of records (L, 18), see `GROUPS`."""
+    """(L,) groups of records (L, 21), see `GROUPS`."""
     kind, extra = kind_of(records), records[:, 15].astype(np.intp) // GROUP
     return np.where(extra > 0, extra + 3, np.maximum(kind - FIN + 1, 0) // 2)
 
@@ -211,7 +213,8 @@ class Seen:
         records[:, 6:9] = ends[:, 1]
         records[:, 9:12] = normals
         records[:, 12:15] = beyond
-        records[:, 16:18] = 0.0
+        records[:, 16:20] = 0.0
+        records[:, 20] = own_numbers(sides)
         return records
 
     def _ends(self, sides: Indices) -> Floats:

@@ -87,7 +87,7 @@ def strokes(
     hair: float,
     blur: float = 0.0,
 ) -> Strokes:
-    """The strokes of line records (L, 18) in eye space, see `glshim.geometry.lines.RECORD`.
+    """The strokes of line records (L, 21) in eye space, see `glshim.geometry.lines.RECORD`.
 
     widths of the groups (`glshim.geometry.lines.GROUPS`) in pixels, angles in radians, hair: a few
     steps of the depth buffer in window depth, positive. blur: pixels by which depths may not be

@@ -101,7 +101,7 @@ class SmoothPieces:
         return np.asarray(self.triangles.ravel()[np.array(found)].transpose(2, 0, 1))
 
     def contours(self, modelview: Doubles, camera: Camera) -> Floats | None:
-        """(L, 18) records of smooth contours as outlines (Hertzmann & Zorin 2000), and of creases
+        """(L, 21) records of smooth contours as outlines (Hertzmann & Zorin 2000), and of creases
         as far as the smooth surfaces on either side face unlike ways: contours of one end where
         those of the other go on. None without a viewer in object space."""
         eye = _eye(modelview, camera)
@@ -116,7 +116,7 @@ class SmoothPieces:
         return np.concatenate((smooth, self._folded(front, view)))
 
     def _folded(self, front: Floats, view: _View) -> Floats:
-        """(L, 18) records of parts of creases, by which way the vertices face (C,)."""
+        """(L, 21) records of parts of creases, by which way the vertices face (C,)."""
         at, flanks = self._topology, self._flanks
         faces = front[flanks].astype(np.float64)
         faces[at.twisted[self._creases], 1] *= -1.0
@@ -144,7 +144,7 @@ class SmoothPieces:
         return found
 
     def suggestive(self, modelview: Doubles, camera: Camera) -> Floats | None:
-        """(L, 18) records of suggestive contours (DeCarlo et al. 2003)."""
+        """(L, 21) records of suggestive contours (DeCarlo et al. 2003)."""
         eye = _eye(modelview, camera)
         if eye is None:
             return None

@@ -157,7 +157,7 @@ class Crossings:
     def find(
         self, draws: Sequence[Draw], *, greater: bool = False, bits: int | None = None
     ) -> Floats:
-        """(L, 18) `glshim.geometry.lines` records where polygons of draws pass through each other.
+        """(L, 21) `glshim.geometry.lines` records where polygons of draws pass through each other.
 
         draws: a group of `glshim.render.cameras.grouped`. greater: farther is less depth. bits of
         the app's finished depth, which `glshim.render.depth.UNIT` holds; None where there is none.
@@ -348,7 +348,7 @@ def _moved(corners: Floats, modelview: Doubles) -> Doubles:
 
 
 def _lines(scene: _Scene, seeds: Indices) -> Floats:
-    """(L, 18) line records of seeds (N, 2) and what follows from them."""
+    """(L, 21) line records of seeds (N, 2) and what follows from them."""
     numbers = seeds & (_FRONT - 1)
     crossing, near = crossings.sift(scene, numbers)
     if not crossing.any():  # as a rule: neighbours are not even looked for

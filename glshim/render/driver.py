@@ -36,6 +36,7 @@ SIGNATURES.update(
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glDrawElementsInstanced": "uiupi",
+        "glDrawPixels": "iiuup",
         "glEdgeFlagPointer": "ip",
         "glEnableVertexAttribArray": "u",
         "glEndQuery": "u",
@@ -52,8 +53,10 @@ SIGNATURES.update(
         "glGetProgramInfoLog": "uipp",
         "glGetQueryObjectuiv": "uup",
         "glGetShaderInfoLog": "uipp",
+        "glGetTexGeniv": "uup",
         "glLineWidth": "f",
         "glPixelTransferf": "uf",
+        "glPixelZoom": "ff",
         "glPolygonOffset": "ff",
         "glRenderbufferStorage": "uuii",
         "glScissor": "iiii",
@@ -66,6 +69,7 @@ SIGNATURES.update(
         "glUniform2fv": "iip",
         "glUniform3fv": "iip",
         "glUniform4fv": "iip",
+        "glUniform4iv": "iip",
         "glUniformMatrix2fv": "iibp",
         "glUniformMatrix3fv": "iibp",
         "glUniformMatrix4fv": "iibp",
@@ -75,6 +79,7 @@ SIGNATURES.update(
         "glVertex2f": "ff",
         "glVertexAttribDivisor": "uu",
         "glVertexAttribPointer": "uiubip",
+        "glWindowPos2i": "ii",
     }
 )
 

@@ -29,16 +29,25 @@ class Harvest:
         self.objects = Objects(cache_bytes)
         self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
+        self._last: tuple[Hashable, NDArray[np.float32]] | None = None
 
     def tick(self) -> None:
         """A layer has passed."""
+        self._last = None
         self._cache.tick()
         self.objects.tick()
         self._past.tick()
 
     def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
-        """(L, 18) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
-        features of the meshes that they make together."""
+        """(L, 21) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
+        features of the meshes that they make together. The same lines drawn on several sheets of a
+        layer are found once."""
+        name = (group[0].choice, tuple((id(one.batch), id(one.camera)) for one in group))
+        if self._last is None or self._last[0] != name:
+            self._last = name, self._found(group)
+        return self._last[1]
+
+    def _found(self, group: Sequence[Draw]) -> NDArray[np.float32]:
         choice = group[0].choice
         if isinstance(choice, Features):
             return self._features(group, choice)

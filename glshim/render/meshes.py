@@ -169,10 +169,12 @@ def _creased(mesh: Mesh, found: Creases) -> Resident:
     edges = edge_mesh(mesh)
     bits = (1, 2, 4) @ found.sides.T | 8 * ((1, 2, 4) @ found.open.T)
     inside_out = outward(mesh) < 0.0
+    positions = _four(mesh.positions[found.vertices])
+    positions[:, 3] = found.vertices + 1
     turned = np.where(inside_out, -1.0, 1.0)[found.vertices]
     bits += 64 * inside_out[mesh.triangles[:, 0]]
     return _uploaded(mesh, edges, found, {
-        "mesh_positions": _four(mesh.positions[found.vertices]),
+        "mesh_positions": positions,
         "mesh_normals": _four(found.normals * turned[:, None]),
         "mesh_edges": edges.indices,
         "mesh_triangles": _triangles(found.triangles, mesh.closed + 2 * bits),

@@ -225,11 +225,11 @@ class Runner:
         elif one.pose is not None:
             program.set({"bones": one.pose.matrices.transpose(0, 2, 1)})
         if resident is not None:
+            if "rest(" in one.shader.vertex:
+                self.residents.bind_rest(resident.mesh)  # first: it may upload where others lie
             resident.bind()
             if one.element in _BY_INDEX and sieve is None:
                 resident.bind_indices(one.element)
-            if "rest(" in one.shader.vertex:
-                self.residents.bind_rest(resident.mesh)
         if posed is not None:
             posed.bind()
         return _Ready(program, count, each, posed)

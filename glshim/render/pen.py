@@ -25,7 +25,10 @@ _LINE = "".join((_SHADERS / name).read_text("utf-8") for name in ("line.glsl", "
 DEPTH = (_SHADERS / "depth.glsl").read_text("utf-8")
 """Prelude of both stages, for every version of GLSL."""
 _STRIP = 0x0005
-_INPUTS = {"edge_a": 3, "edge_b": 3, "edge_c": 3, "edge_own": 3, "edge_other": 3, "edge_kind": 3}
+_INPUTS = {
+    "edge_a": 3, "edge_b": 3, "edge_c": 3, "edge_own": 3, "edge_other": 3, "edge_kind": 3,
+    "edge_hand": 3,
+}  # fmt: skip
 """Floats of each input, in the order of a record."""
 Records = NDArray[np.float32]
 Uniforms = Mapping[str, Uniform]
@@ -95,8 +98,11 @@ class Pen:
         width = sum(names.values())
         source = self.context.buffer(records)
         target = self.context.buffer(reserve=len(records) * shader.vertices * width * 4)
-        layout = " ".join(f"{size}f" for size in _INPUTS.values()) + " /i"
-        array = self.context.vertex_array(program.made, [(source, layout, *_INPUTS)])
+        used = [name for name in _INPUTS if name in program.made]  # compilers drop the others
+        steps = (f"{n}f" if name in used else f"{n}x4" for name, n in _INPUTS.items())
+        array = self.context.vertex_array(
+            program.made, [(source, " ".join(steps) + " /i", *used)]
+        )
         array.transform(target, moderngl.POINTS, shader.vertices, instances=len(records))
         found = np.frombuffer(target.read(), np.float32).reshape(len(records), -1, width)
         for held in (array, source, target):

@@ -46,6 +46,8 @@ __all__ = [
 
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
 
+SURFACES = ("app", "none", "paint", "colours")
+"""Words of `Styler.surface`."""
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _KEY = "glshim.option"
 
@@ -225,7 +227,7 @@ class Expand(Protocol):
         hair: float,
         blur: float,
     ) -> Expansion:
-        """Strips of records (L, 18), see `glshim.geometry.lines.RECORD`. The camera's depth range
+        """Strips of records (L, 21), see `glshim.geometry.lines.RECORD`. The camera's depth range
         is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by which
         depths may not be those of pixel centres."""
 
@@ -263,6 +265,9 @@ class Draw:
     """The shader's own uniforms by name."""
     image: Image | None = None
     """What the fragment shader's sampler ``stroke`` reads."""
+    sheet: int = 0
+    """Draws that follow each other on one sheet keep of each pixel the most ink; those on the next
+    one go over it."""
 
 
 @dataclass(frozen=True)
@@ -285,9 +290,16 @@ class Styler:
         return False
 
     @property
+    def wants_lights(self) -> bool:
+        """Whether `Camera.lit`, `gleams` and `textured`, and `Layer.lighting` shall say how the
+        app lights its polygons."""
+        return False
+
+    @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour.
-        It is the option ``fill`` of styles that have one."""
+        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), ``"paint"``
+        (the app's colours and textures without its light), ``"colours"`` (without its textures
+        and fog, too), a colour. It is the option ``fill`` of styles that have one."""
         fill: str | Colour = getattr(self, "fill", "app")
         return fill
 

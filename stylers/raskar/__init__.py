@@ -21,11 +21,17 @@ from stylers import options, strokes
 from stylers.raskar.expansion import expand
 
 _HERE = files(__package__)
-_STROKE = (_HERE / "stroke.glsl").read_text("utf-8")
+
+
+def _text(name: str) -> str:
+    return (_HERE / f"{name}.glsl").read_text("utf-8")
+
+
+_STROKE = _text("stroke")
 SHADER = Shader(
     "raskar",
-    _STROKE + (_HERE / "raskar.vert.glsl").read_text("utf-8"),
-    _STROKE + (_HERE / "raskar.frag.glsl").read_text("utf-8"),
+    _STROKE + _text("trace") + _text("raskar.vert"),
+    _STROKE + _text("raskar.frag"),
     vertices=4,
     expand=expand,
 )

@@ -16,7 +16,7 @@ LONGEST = 420
 COMMON = ("glshim.errors", "glshim.notices", "glshim.caches", "glshim.spec")
 ROOMS = {
     "glshim/spec": (),
-    "glshim/capture": ("glshim.geometry.camera",),
+    "glshim/capture": ("glshim.geometry.camera", "glshim.geometry.lights"),
     "glshim/assembly": ("glshim.capture.state", "glshim.geometry"),
     "glshim/following": ("glshim.capture", "glshim.assembly"),
     "glshim/geometry": ("glshim.assembly.batch",),

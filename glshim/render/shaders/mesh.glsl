@@ -4,7 +4,7 @@
 // Source: McGuire & Hughes 2004, section 3 (the edge vertex), 3.6 (key frames, bones), by indices
 //         as their section 6 foresees. Numpy references: glshim/geometry/edge_mesh.py, poses.py.
 
-uniform sampler2D mesh_positions;   // object space
+uniform sampler2D mesh_positions;   // object space; with creases also the vertex's number, from 1
 uniform sampler2D mesh_normals;     // out of the object, where it has an outside
 uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
 uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed; with
@@ -80,8 +80,12 @@ vec3 normal(int v) { return texelFetch(mesh_normals, texel(v), 0).xyz; }
 #endif
 
 // Where a vertex was when its mesh was first seen, and which way is out (mesh_rest): patterns that
-// are to stay on a surface that moves are taken from here.
-vec4 rest(int v) { return texelFetch(mesh_rest, texel(v), 0); }
+// are to stay on a surface that moves are taken from here. Topology vertices know which vertex they
+// are a part of.
+vec4 rest(int v) {
+    int whole = int(texelFetch(mesh_positions, texel(v), 0).w) - 1;
+    return texelFetch(mesh_rest, texel(whole < 0 ? v : whole), 0);
+}
 
 // Towards an eye or a light, homogeneous, from a point; not of unit length.
 vec3 towards(vec4 source, vec3 point) { return source.xyz - source.w * point; }

@@ -1,0 +1,66 @@
+"""Style ``blueprint``: white lines on blue, as NPRQuake's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers.blueprint.dimensions import dimensions
+from stylers.hand import Hand, strokes
+from stylers.hand.paper import Paper, under
+
+
+@dataclass(frozen=True)
+class Blueprint(Styler):
+    """White lines on blue that overshoot their corners, with dimensions (NPRQuake)."""
+
+    name: ClassVar[str] = "blueprint"
+
+    width: float = option(1.6, help="width of outlines", low=0.5, high=32.0, unit="px")
+    inner_width: float = option(1.0, help="width of other lines", low=0.5, high=32.0, unit="px")
+    opacity: float = option(0.55, help="of one stroke", low=0.02, high=1.0)
+    strokes: float = option(2.0, help="how often each line is drawn", low=1.0, high=16.0)
+    overshoot: float = option(
+        0.2, help="how far lines go on beyond their corners, of their length", low=0.0, high=1.0
+    )
+    overshoot_most: float = option(
+        20.0, help="how far they go on at most", low=0.0, high=256.0, unit="px"
+    )
+    jitter: float = option(0.0, help="how far lines stray", low=0.0, high=32.0, unit="px")
+    dimensions: float = option(
+        0.2, help="share of straight edges that have arrows and a length", low=0.0, high=1.0
+    )
+    grid: float = option(16.0, help="printed on the paper; 0: none", low=0.0, high=512.0, unit="px")
+    shade: float = option(0.4, help="how much of the app's light", low=0.0, high=1.0)
+    ridge_angle: float = option(
+        135.0, help="greatest dihedral angle of an edge", low=0.0, high=180.0, unit="degrees"
+    )
+    tolerance: float = option(
+        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
+    seed: float = option(0.0, help="another one draws with other motions", low=0.0, high=999.0)
+    ink: Colour = option("#ffffff", help="colour of the lines")  # noqa: RUF009
+    paper: Colour = option("#000080", help="colour of the paper")  # noqa: RUF009
+
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        """The paper, every line, and dimensions over them."""
+        faint = tuple(0.9 * p + 0.1 * i for p, i in zip(self.paper, self.ink, strict=True))
+        red, green, blue = faint
+        paper = Paper(
+            self.paper, shade=self.shade, tooth=0.6, grid=self.grid, rule=(red, green, blue)
+        )
+        yield from under(paper, layer)
+        hand = Hand(
+            self.ridge_angle, 360.0 - self.ridge_angle, (self.width, self.inner_width),
+            (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
+            wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
+            pressure=0.1, corner=30.0, seed=round(self.seed), tolerance=self.tolerance,
+        )  # fmt: skip
+        yield from strokes(hand, layer)
+        if self.dimensions:
+            yield from dimensions(
+                hand, layer, frequency=self.dimensions, ink=self.ink, sheet=hand.strokes
+            )

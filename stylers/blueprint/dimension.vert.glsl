@@ -1,0 +1,32 @@
+// What:   of a straight edge that is seen whole, now and then, a quad for its dimension.
+// Inputs: the line (raskar/trace.glsl); how many edges have dimensions.
+// Source: NPRQuake's blueprint.
+
+uniform float frequency;  // of edges that have a dimension, 0..1
+uniform float least;      // pixels of an edge that has one
+
+const float AT_END = 0.02;
+const int MARK = 16;      // GROUP of glshim/geometry/lines.py
+
+void main() {
+    gl_Position = NOWHERE;
+    dimension = vec2(0.0);
+    float deep;
+    bool lone;
+    if (edge_hand.x > AT_END || edge_hand.y > AT_END || edge_hand.z == 0.0) return;
+    if (edge_hand.z >= frequency || !traced(deep, lone) || span < least) return;
+    if (kind != RING && kind != RIDGE && kind != FIN) return;
+    take_grain(deep, lone);
+    vec3 eye_a = edge_a, eye_b = edge_b;
+    if (!cut(eye_a, eye_b) || eye_a != edge_a || eye_b != edge_b) return;
+    for (float part = 0.1; part < 0.95; part += 0.16) if (!seen_at(part * span)) return;
+    float length = distance(edge_a, edge_b);
+    if (length > MOST || length < 1e-3) return;
+    float after = decimals(length), before = max(floor(log(length) / log(10.0) + 1e-4) + 1.0, 1.0);
+    dimension = vec2(length, before + (after > 0.0 ? after + 1.0 : 0.0));
+    if (WIDE * dimension.y + 8.0 > span) return;
+    bool far = gl_VertexID > 1;
+    vec2 place = far ? line_b.xy + 2.0 * along : line_a.xy - 2.0 * along;
+    float out_by = (gl_VertexID & 1) == 0 ? 0.0 : OFF + HIGH + 6.0;
+    gl_Position = on_screen(place + out_by * out_1);
+}

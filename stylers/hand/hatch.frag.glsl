@@ -1,0 +1,85 @@
+// What:   hatching that is held by the surface: planes through the object, as far apart as suits the
+//         screen, drawn where the light leaves it dark; crossed where it is darker still.
+// Inputs: the surface's place and normal (hatch.vert.glsl), GL_LIGHT0, the app's finished picture.
+// Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it is:
+//         G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994;
+//         levels of strokes that fade in: E. Praun et al., "Real-Time Hatching", SIGGRAPH 2001.
+
+uniform mat4 projection;
+uniform vec4 viewport;
+uniform mat4 modelview;
+uniform sampler2D app_colour;
+uniform sampler2D stroke;   // the paper's grain
+uniform vec4 viewpoint;
+uniform vec4 lamp;          // eye space, homogeneous
+uniform vec3 ink;
+uniform float apart;        // pixels between strokes, about
+uniform float darkness;     // of the hatching, 0..1
+uniform float by_picture;   // share of the darkness that the app's own picture says
+uniform float jitter;       // pixels by which strokes stray
+uniform float jitter_seed;
+uniform float soft;         // strokes of a soft lead, 0..1
+uniform float coloured;     // share of the program's own colours in the ink
+
+in vec3 spot;
+in vec3 upright;
+in vec3 held;
+
+vec3 grain(vec2 at) { return textureLod(stroke, fract(at / 512.0), 0.0).rgb; }
+
+// Units of a direction in object space that a smooth surface gains in a pixel, and (y) the most that
+// it could gain. n, sight: eye space.
+vec2 gained(vec3 across, vec3 n, vec3 sight) {
+    vec3 g = across * inverse(mat3(modelview));  // its gradient in eye space
+    float steep = dot(g, sight) / max(dot(n, sight), 0.15);
+    vec2 flow = vec2(g.x - steep * n.x, g.y - steep * n.y);
+    float w = (projection * vec4(spot, 1.0)).w;
+    return vec2(length(flow), length(g)) * abs(w / (projection[1][1] * viewport.w));
+}
+
+// Ink of strokes that lie in planes across a direction of object space. dark: 0..1 to cover.
+float strokes(vec3 across, float dark, float number, vec3 n, vec3 sight) {
+    float place = dot(held, across);
+    vec2 smoothly = gained(across, n, sight);
+    // How far apart strokes are the smooth surface says, how wide they are the facet itself.
+    float slope = max(length(vec2(dFdx(place), dFdy(place))), 1e-12);
+    float spread = clamp(smoothly.x, 0.6 * slope, 1.6 * slope);
+    float level = log2(apart * spread), fine = floor(level), part = level - fine;
+    float at = place / exp2(fine);              // a stroke a unit; half of them at the next level
+    float pixel = exp2(fine) / slope;           // pixels a unit: apart / 2 .. apart
+    vec3 wander = grain(gl_FragCoord.xy * 0.35 + 97.0 * number + 31.0 * jitter_seed);
+    at += jitter * (wander.g - 0.5) / pixel;
+    float nearest = floor(at + 0.5), off = abs(at - nearest) * pixel;
+    bool odd = mod(nearest, 2.0) > 0.5;
+    float press = 0.8 + 0.5 * wander.b;
+    float half_width = 0.275 * dark * min(pixel, apart) * press * (odd ? 1.0 - part : 1.0);
+    float tooth = 0.75 + 0.5 * grain(gl_FragCoord.xy).r;
+    float cover = clamp(half_width + 0.5 - off, 0.0, 1.0) * min(2.0 * half_width, 1.0);
+    float lead = exp(-off * off / (1.6 * half_width * half_width + 0.4)) * min(half_width, 1.0);
+    lead *= smoothstep(-0.35, 0.55, press - 0.75 * grain(gl_FragCoord.xy + 71.0).r);
+    cover = mix(cover, 0.62 * lead, soft);
+    // A face across the direction has no strokes of it, one nearly so would have them anywhere.
+    return clamp(cover * tooth, 0.0, 1.0) * smoothstep(0.1, 0.3, slope / max(smoothly.y, 1e-12));
+}
+
+void main() {
+    vec3 side = normalize(cross(dFdx(spot), dFdy(spot)));
+    vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
+    side *= dot(side, sight) < 0.0 ? -1.0 : 1.0;
+    vec3 n = dot(upright, upright) > 0.0 ? normalize(upright) : side;
+    n = dot(n, side) < 0.0 ? -n : n;
+    vec3 to_light = normalize(lamp.xyz - lamp.w * spot);
+    float light = 0.5 + 0.5 * dot(n, to_light);
+    vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;
+    float picture = dot(shown, vec3(0.299, 0.587, 0.114));
+    float dark = 1.2 * darkness * (1.0 - mix(light * light, picture, by_picture));
+
+    // The families are askew to all axes, so that no face of a box lies along one.
+    float cover = strokes(normalize(vec3(0.62, 0.71, 0.34)), smoothstep(0.08, 0.8, dark), 0.0, n, sight);
+    cover = max(cover, strokes(normalize(vec3(-0.75, 0.58, 0.31)), smoothstep(0.5, 0.95, dark), 1.0, n, sight));
+    cover = max(cover, strokes(normalize(vec3(0.2, 0.45, -0.87)), smoothstep(0.75, 1.1, dark), 2.0, n, sight));
+    if (cover <= 0.004) discard;
+    float value = max(max(shown.r, shown.g), max(shown.b, 0.05));
+    vec3 crayon = shown / value * (0.25 + 0.4 * value);
+    colour = vec4(mix(ink, crayon, coloured), 1.0) * cover;
+}

@@ -1,0 +1,46 @@
+"""Style ``sketch``: pencil on paper, as NPRQuake's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers.hand import Hand, strokes
+from stylers.hand.hatching import Hatching, hatched
+from stylers.hand.paper import Paper, under
+
+
+@dataclass(frozen=True)
+class Sketch(Styler):
+    """Jittered pencil strokes, hatched by the light, on paper (NPRQuake)."""
+
+    name: ClassVar[str] = "sketch"
+
+    width: float = option(2.0, help="width of a stroke", low=0.5, high=32.0, unit="px")
+    opacity: float = option(0.25, help="of one stroke", low=0.02, high=1.0)
+    strokes: float = option(6.0, help="how often each line is drawn", low=1.0, high=16.0)
+    jitter: float = option(1.6, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
+    overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
+    boil: float = option(0.0, help="new jitter a second", low=0.0, high=60.0)
+    hatching: float = option(0.8, help="of dark places", low=0.0, high=1.0)
+    ink: Colour = option("#1b1b1e", help="colour of the strokes")  # noqa: RUF009
+    paper: Colour = option("#faf8f2", help="colour of the paper")  # noqa: RUF009
+    tint: float = option(0.3, help="how much of the app's own colours", low=0.0, high=1.0)
+
+    @property
+    def wants_normals(self) -> bool:
+        """Light breaks where they do."""
+        return self.hatching > 0.0
+
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        yield from under(Paper(self.paper, tint=self.tint), layer)
+        yield from hatched(Hatching(self.ink, self.hatching, boil=self.boil), layer)
+        hand = Hand(
+            120.0, 240.0, (self.width, self.width), (self.ink, self.ink),
+            strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
+            overshoot=self.overshoot, pressure=0.3, taper=14.0, boil=self.boil,
+        )
+        yield from strokes(hand, layer)

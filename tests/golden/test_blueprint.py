@@ -1,0 +1,130 @@
+"""Blueprint: lines that overshoot, and dimensions that are true."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from glshim.geometry.camera import Camera
+from glshim.render.backend import Backend
+from glshim.render.cameras import hair_of
+from glshim.styling.protocol import Draw, Layer
+from stylers.blueprint import Blueprint
+from stylers.blueprint.dimensions import characters
+from tests import look
+
+CAMERA = Camera(look.look_at((6, 4, 4)), look.perspective(), (0, 0, 400, 400))
+SIZES = (1.25, 2.0, 0.8)
+PAPER = np.array((0, 0, 128))
+
+
+def box(sizes=SIZES):
+    cube = look.cube(0.5)
+    return replace(cube, positions=(cube.positions * np.array(sizes)).astype(np.float32))
+
+
+@pytest.fixture(scope="module")
+def backend():
+    with look.window():
+        yield Backend.attach()
+
+
+def drawn(backend, mesh, camera=CAMERA, **options):
+    look.clear((0.9, 0.2, 0.2))
+    look.draw_base(mesh, camera)
+    there = look.depths() < 1.0
+    backend.render(Blueprint(grid=0.0, shade=0.0, **options).draws(Layer(((mesh, camera),))))
+    return look.pixels().astype(int), there
+
+
+def light(picture):
+    """(H, W) 0..1 of white on the paper."""
+    return picture[..., 0] / 255.0
+
+
+def test_all_is_paper_but_the_lines(backend):
+    picture, _ = drawn(backend, box(), overshoot=0.0, dimensions=0.0)
+    ink = light(picture) > 0.15
+    assert 0.003 < ink.mean() < 0.05
+    assert np.abs(picture[~ink] - PAPER).max() < 45  # the paper's grain and soft edges
+    assert np.median(np.abs(picture[~ink] - PAPER).max(axis=1)) < 12
+
+
+def test_lines_go_on_beyond_corners_by_a_share_of_their_length(backend):
+    outside = {}
+    for share in (0.0, 0.1, 0.3):
+        picture, there = drawn(
+            backend, box(), overshoot=share, overshoot_most=100.0, dimensions=0.0
+        )
+        wide = there.copy()
+        for axis in (0, 1):
+            for step in (-4, 4):
+                wide |= np.roll(there, step, axis)
+        outside[share] = (light(picture) > 0.15)[~wide].sum()
+    assert outside[0.0] <= 3  # soft edges
+    assert outside[0.1] > 50
+    assert 1.8 < outside[0.3] / outside[0.1] < 6.0
+
+
+def lengths(backend, mesh, camera=CAMERA, **options):
+    """The lengths that dimensions tell, sorted: what the vertex shader gives of all edges, before
+    it asks whether they are seen."""
+    look.clear()
+    look.draw_base(mesh, camera)
+    draws = Blueprint(dimensions=1.0, **options).draws(Layer(((mesh, camera),)))
+    last = [draw for draw in draws if isinstance(draw, Draw)][-1]
+    assert last.shader.name == "dimension"
+    text = last.shader.vertex.replace("if (!seen_at", "if (false && seen_at")
+    shader = replace(last.shader, vertex=text)
+    records = backend._harvest.records([last])
+    found = backend.pen.varyings(
+        records, replace(camera, depth_range=(0.0, 1.0)), shader, last.uniforms,
+        {"dimension": 2}, hair=hair_of(24),
+    )  # fmt: skip
+    told = found["dimension"][:, 0]
+    return np.unique(told[told[:, 0] > 0.0][:, 0].round(4))
+
+
+def test_dimensions_are_lengths_in_the_programs_world(backend):
+    assert lengths(backend, box()) == pytest.approx(sorted(SIZES))
+
+
+def test_a_scaled_object_has_the_length_that_it_is_drawn_with(backend):
+    camera = replace(CAMERA, modelview=CAMERA.modelview @ np.diag((1.5, 1.5, 1.5, 1.0)))
+    assert lengths(backend, box(), camera) == pytest.approx([1.5 * size for size in sorted(SIZES)])
+
+
+def test_curves_and_short_edges_have_none(backend):
+    assert not len(lengths(backend, look.torus()))
+    assert not len(lengths(backend, box((0.1, 0.1, 0.1))))
+
+
+@pytest.mark.parametrize(
+    ("size", "text"), [(2.0, "2.00"), (1.374, "1.37"), (12.0, "12.0"), (345.0, "345")]
+)
+def test_the_number_is_written_as_drawings_have_it(backend, size, text):
+    """Each place of the number shows the character that is due there, of all the most alike."""
+    half = size / 2.0
+    wall = look.batch([(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)],
+                      [(0, 1, 2, 3)])  # fmt: skip
+    lens = look.orthographic(size, near=0.1, far=50.0 * size)
+    camera = Camera(look.look_at((0, 0, 5.0 * size), up=(0, 1, 0)), lens, (0, 0, 400, 400))
+    found = [light(drawn(backend, wall, camera, dimensions=share, overshoot=0.0)[0])
+             for share in (0.0, 1.0)]  # fmt: skip
+    extra = np.clip(found[1] - found[0], 0.0, 1.0)
+    # The lower edge, 100 pixels up: its dimension line is 15 below, the number 3 below that.
+    left = 200.0 - 7.0 * len(text) / 2.0
+    signs = characters().pixels[::-1, :, 3].reshape(44, 11, 28).transpose(1, 0, 2) / 255.0
+    small = [sign.reshape(11, 4, 7, 4).mean(axis=(1, 3)) for sign in signs]
+    for place, character in enumerate(text):
+        x = round(left + 7.0 * place)
+        scores = []
+        for sign in small:
+            best = max(
+                np.corrcoef(extra[y : y + 11, x + dx : x + dx + 7].ravel(), sign.ravel())[0, 1]
+                for y in range(66, 76) for dx in (-1, 0, 1)
+            )  # fmt: skip
+            scores.append(best)
+        assert "0123456789."[int(np.argmax(scores))] == character
