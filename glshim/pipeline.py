@@ -20,6 +20,7 @@ from .following.scene import Scene, integer, say_unstyled
 from .notices import say_fault
 from .render.backend import Backend
 from .render.fixed import FixedPen
+from .render.sheet import SHEET
 from .render.surface import Surface
 from .spec.driver import current_context
 from .styling.protocol import BackFaces, Layer, Styler
@@ -143,7 +144,7 @@ class Pipeline:
         items = scene.layer.take()
         if not items or self.styler is None:
             return
-        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting)
+        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting, SHEET.scale)
         try:
             self._add(self.styler, layer, scene)
         except Exception as error:

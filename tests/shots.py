@@ -16,7 +16,7 @@ from glshim.errors import StyleError
 from glshim.gallery.cli import all_styles
 from glshim.options import parse_style
 
-PROGRAMS = ("demo_apps.cad_part", "demo_apps.chess", "demo_apps.figure")
+PROGRAMS = ("demo_apps.07_cad_part", "demo_apps.06_chess", "demo_apps.08_figure")
 LARGE = (5000, 5000)
 
 

@@ -119,7 +119,7 @@ def inputs_of(
     return view | {
         "away": away, "hair": hair, "blur": depth.blur, "finished_depth": DEPTH_UNIT,
         "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
-        "sheet": (*SHEET.origin, SHEET.scale),
+        "shot": (*SHEET.origin, SHEET.scale),
     }  # fmt: skip
 
 

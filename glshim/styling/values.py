@@ -31,3 +31,6 @@ class Layer:
     """The lights that were on, with GL_LIGHTING, when the first lit polygons of the layer were
     drawn: an app that moves them after that is seen in the light that it began with. None: nothing
     was lit, or not asked for (`glshim.styling.protocol.Styler.wants_lights`)."""
+    scale: float = 1.0
+    """Pixels for one of the window: more than 1 in a large shot, for lengths that a style has of
+    its own. Its options in pixels are scaled already."""

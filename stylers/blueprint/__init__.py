@@ -58,6 +58,7 @@ class Blueprint(Styler):
             (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
             wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
             pressure=0.1, corner=30.0, seed=round(self.seed), tolerance=self.tolerance,
+            scale=layer.scale,
         )  # fmt: skip
         yield from strokes(hand, layer)
         if self.dimensions:

@@ -9,7 +9,7 @@ uniform sampler2D stroke;
 
 const float POINT = 10.0;
 const float CHARACTERS = 11.0;
-const float ARROW = 9.0;
+#define ARROW (9.0 * shot.z)
 
 float near(float off, float half_width) { return clamp(half_width + 0.5 - abs(off), 0.0, 1.0); }
 
@@ -26,17 +26,17 @@ void main() {
     take_stroke();
     vec2 from_a = gl_FragCoord.xy - line_a.xy;
     float t = dot(from_a, along), s = dot(from_a, out_1);
-    float reach = near(s - 0.5 * OFF - 4.0, 0.5 * OFF);
-    float ink = reach * max(near(t, 0.35), near(t - span, 0.35));
+    float reach = near(s - 0.5 * OFF - 4.0 * shot.z, 0.5 * OFF);
+    float ink = reach * max(near(t, 0.35 * shot.z), near(t - span, 0.35 * shot.z));
     float inside = near(t - 0.5 * span, 0.5 * span);
-    ink = max(ink, inside * near(s - OFF, 0.35));
+    ink = max(ink, inside * near(s - OFF, 0.35 * shot.z));
     float from_end = min(t, span - t);
     ink = max(ink, inside * near(s - OFF, 0.3 * from_end) * step(from_end, ARROW));
 
     // Read from below or from the right, whichever way the line runs.
     bool turned = along.x < -0.01 || (abs(along.x) <= 0.01 && along.y < 0.0);
     vec2 reading = turned ? -along : along, up = vec2(-reading.y, reading.x);
-    vec2 middle = line_a.xy + 0.5 * span * along + (OFF + 3.0 + 0.5 * HIGH) * out_1;
+    vec2 middle = line_a.xy + 0.5 * span * along + (OFF + 3.0 * shot.z + 0.5 * HIGH) * out_1;
     vec2 place = gl_FragCoord.xy - middle;
     float column = dot(place, reading) / WIDE + 0.5 * dimension.y;
     float row = dot(place, up) / HIGH + 0.5;

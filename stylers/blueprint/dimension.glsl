@@ -3,9 +3,9 @@
 
 PASSED vec2 dimension;   // the line's length in eye space; characters of its number
 
-const float OFF = 15.0;     // pixels from the line to its dimension line
-const float HIGH = 11.0;    // pixels of a character
-const float WIDE = 7.0;
+#define OFF (15.0 * shot.z)  // pixels from the line to its dimension line
+#define HIGH (11.0 * shot.z) // pixels of a character
+#define WIDE (7.0 * shot.z)
 const float MOST = 99999.0; // units that are written
 
 // Digits after the point: three that count, in all.

@@ -73,5 +73,6 @@ class Brush(Styler):
             coloured=coloured,
             bristles=_BRISTLES * self.width,
             tip=_FULL * self.width,
+            scale=layer.scale,
         )
         yield from strokes(hand, layer)

@@ -9,7 +9,7 @@ uniform float tint;      // how much of the paper the paint covers
 uniform float dab;       // pixels of a dab's length
 uniform float dab_seed;  // a number for each painting
 
-const float SPILL = 2.5;  // pixels by which paint runs over outlines
+const float SPILL = 2.5;  // pixels of the window by which paint runs over outlines
 
 vec3 chances(vec2 cell) {
     vec3 p = fract(vec3(cell.xyx) * vec3(0.1031, 0.1030, 0.0973) + 0.0717 * dab_seed);
@@ -34,12 +34,12 @@ vec2 lie(vec2 place, float here, float reach, float turn) {
 // leave loops early, but walk through every branch).
 vec4 dabbed(vec4 under, vec2 at, vec3 edge, float size, float number, float rows) {
     float apart = 0.78 * size;  // no dab reaches beyond the four cells about a pixel
-    vec2 home = floor(at / apart - 0.5);
+    vec2 home = floor((at + shot.xy) / apart - 0.5);
     for (float j = 0.0; j < rows; j += 1.0) {
         for (float i = 0.0; i < 1.5; i += 1.0) {
             vec2 cell = home + vec2(i, j);
             vec3 chance = chances(cell + 57.0 * number);
-            vec2 middle = floor((cell + 0.15 + 0.7 * chance.xy) * apart) + 0.5;
+            vec2 middle = floor((cell + 0.15 + 0.7 * chance.xy) * apart) + 0.5 - shot.xy;
             if (!surface(middle)) continue;
             vec3 pigment = shown(middle);
             vec2 way = lie(middle, brightness(pigment), 0.3 * size, 0.9 * (chance.z - 0.5));
@@ -60,17 +60,17 @@ vec4 dabbed(vec4 under, vec2 at, vec3 edge, float size, float number, float rows
 }
 
 void main() {
-    vec2 at = gl_FragCoord.xy;
+    vec2 at = gl_FragCoord.xy, spot = on_paper(at);
     bool within = surface(at);
     if (behind == 0 && !within) discard;
-    vec3 sheet = bare(at);
+    vec3 sheet = bare(spot);
     vec4 paint = vec4(0.0);
     bool near = within;
     for (int k = 0; k < (near ? 0 : 8); ++k) {
         float turn = 0.7854 * float(k);
-        near = near || surface(at + SPILL * (0.4 + grain(at, 2.0).g) * vec2(cos(turn), sin(turn)));
+        near = near || surface(at + shot.z * SPILL * (0.4 + grain(spot, 2.0).g) * vec2(cos(turn), sin(turn)));
     }
-    vec2 beside = at + 5.0 * (grain(at, 1.0).gb - 0.5);
+    vec2 beside = at + 5.0 * shot.z * (grain(spot, 1.0).gb - 0.5);
     vec3 edge = surface(beside) ? shown(beside) : shown(at);
     if (within) paint = vec4(shown(at), 1.0) * 0.97;
     float rows = near && tint > 0.0 ? 2.0 : 0.0;
@@ -79,6 +79,6 @@ void main() {
     // As thick paint is: a little purer than the program's.
     float grey = brightness(paint.rgb);
     paint.rgb = clamp(mix(vec3(grey), paint.rgb, 1.25), 0.0, paint.a);
-    float tooth = 1.0 - 0.1 * (grain(at).r - 0.5);
+    float tooth = 1.0 - 0.1 * (grain(spot).r - 0.5);
     colour = vec4(mix(sheet, sheet * (1.0 - paint.a) + paint.rgb * tooth, tint), 1.0);
 }

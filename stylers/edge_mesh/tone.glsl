@@ -24,7 +24,7 @@ float brightness(vec3 c) {
 
 // Where a place lies on the paper, in pixels of the window: paper is as large in a larger picture.
 vec2 on_paper(vec2 place) {
-    return (place + sheet.xy) / sheet.z;
+    return (place + shot.xy) / shot.z;
 }
 
 vec3 speck(ivec2 at) {
@@ -33,7 +33,7 @@ vec3 speck(ivec2 at) {
 
 // The paper at a place on it: 0..1, all equally common.
 vec3 grain(vec2 spot) {
-    if (sheet.z == 1.0) return speck(ivec2(floor(spot)));
+    if (shot.z == 1.0) return speck(ivec2(floor(spot)));
     ivec2 at = ivec2(floor(spot - 0.5));
     vec2 share = fract(spot - 0.5);
     return mix(mix(speck(at), speck(at + ivec2(1, 0)), share.x),

@@ -13,7 +13,7 @@ float lines(vec2 spot, vec2 way, float dark) {
     float off = abs(fract(across) - 0.5) * APART;
     float half_width = 0.5 * APART * clamp(dark, 0.0, 0.5) * press;
     // A pen leaves no line that is finer than its tip: it lifts.
-    return clamp((half_width - off) * sheet.z + 0.5, 0.0, 1.0) * smoothstep(0.25, 0.5, half_width);
+    return clamp((half_width - off) * shot.z + 0.5, 0.0, 1.0) * smoothstep(0.25, 0.5, half_width);
 }
 
 void main() {

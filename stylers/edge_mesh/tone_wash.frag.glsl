@@ -15,7 +15,7 @@ vec2 spilled(vec2 place) {
     bool dry = !surface(place);
     for (int k = 0; k < (dry ? SPOKES : 0); ++k) {
         float turn = 6.2832 * float(k) / float(SPOKES);
-        vec2 there = place + sheet.z * OVER * vec2(cos(turn), sin(turn));
+        vec2 there = place + shot.z * OVER * vec2(cos(turn), sin(turn));
         if (surface(there)) found = place + 2.0 * (there - place);
     }
     return surface(found) ? found : place;
@@ -25,7 +25,7 @@ void main() {
     vec2 at = gl_FragCoord.xy, spot = on_paper(at);
     vec3 fine = grain(spot), wide = grain(spot, 3.0);
     if (behind == 0 && !surface(at)) discard;
-    vec2 place = at + 5.0 * sheet.z * (fine.gb - 0.5);
+    vec2 place = at + 5.0 * shot.z * (fine.gb - 0.5);
     if (behind == 1) place = spilled(place);
     else if (!surface(place)) place = at;
     vec3 sheet = bare(spot);
@@ -37,7 +37,7 @@ void main() {
     float rim = 0.0;
     for (int k = 0; k < SPOKES; ++k) {
         float turn = 6.2832 * float(k) / float(SPOKES);
-        vec2 there = place + sheet.z * (k % 2 == 0 ? REACH : 0.5 * REACH) * vec2(cos(turn), sin(turn));
+        vec2 there = place + shot.z * (k % 2 == 0 ? REACH : 0.5 * REACH) * vec2(cos(turn), sin(turn));
         rim += surface(there) ? min(distance(shown(there), here), 0.5) : 0.5;
     }
     rim /= float(SPOKES);

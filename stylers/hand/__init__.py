@@ -91,16 +91,18 @@ class Hand:
     """The brush has colours of its own."""
     bristles: float = 0.0
     """Pixels over which its hairs leave the paper at the end of a stroke."""
+    scale: float = 1.0
+    """Pixels for one of the window (`Layer.scale`): lengths that are no options go by it."""
 
     @property
     def period(self) -> float:
         """Pixels of a stroke after which brush and motion repeat."""
-        return self.length * self.tiles if self.image is not None else _PERIOD
+        return self.length * self.tiles if self.image is not None else _PERIOD * self.scale
 
     @property
     def tiles(self) -> int:
         """How often the brush repeats while the motion does once: pictures may be short."""
-        return max(round(_PERIOD / self.length), 1)
+        return max(round(_PERIOD * self.scale / self.length), 1)
 
 
 def features(hand: Hand) -> Features:

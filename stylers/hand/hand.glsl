@@ -12,7 +12,7 @@ uniform float overshoot_share;  // of its length, at most
 uniform float jitter_seed;  // a number for each motion of the hand
 
 const float TURN = 6.2831853;
-const float WHOLE = 60.0;   // pixels of a stroke that strays in full
+const float WHOLE = 60.0;   // pixels of the window of a stroke that strays in full
 const float AT_END = 0.02;  // pixels
 
 float chance(float n) { return fract(sin(12.9898 * n + 78.233 * jitter_seed) * 43758.5453); }
@@ -37,7 +37,7 @@ float stroke_length() { return min(hand.x + span + hand.y, 1e5); }
 // How much of its motions a short stroke makes, or one around which they are squeezed.
 float share_of_motion() {
     float squeezed = period * abs(repeats.y - repeats.x) / span;
-    return min(stroke_length() / WHOLE, 1.0) / max(squeezed, 1.0);
+    return min(stroke_length() / (WHOLE * shot.z), 1.0) / max(squeezed, 1.0);
 }
 
 // Pixels to the right of the line, on which side the hand is at t.

@@ -47,16 +47,17 @@ float strokes(vec3 across, float dark, float number, vec3 n, vec3 sight) {
     float level = log2(apart * spread), fine = floor(level), part = level - fine;
     float at = place / exp2(fine);              // a stroke a unit; half of them at the next level
     float pixel = exp2(fine) / slope;           // pixels a unit: apart / 2 .. apart
-    vec3 wander = grain(gl_FragCoord.xy * 0.35 + 97.0 * number + 31.0 * jitter_seed);
+    vec2 on_sheet = (gl_FragCoord.xy + shot.xy) / shot.z;
+    vec3 wander = grain(on_sheet * 0.35 + 97.0 * number + 31.0 * jitter_seed);
     at += jitter * (wander.g - 0.5) / pixel;
     float nearest = floor(at + 0.5), off = abs(at - nearest) * pixel;
     bool odd = mod(nearest, 2.0) > 0.5;
     float press = 0.8 + 0.5 * wander.b;
     float half_width = 0.275 * dark * min(pixel, apart) * press * (odd ? 1.0 - part : 1.0);
-    float tooth = 0.75 + 0.5 * grain(gl_FragCoord.xy).r;
+    float tooth = 0.75 + 0.5 * grain(on_sheet).r;
     float cover = clamp(half_width + 0.5 - off, 0.0, 1.0) * min(2.0 * half_width, 1.0);
     float lead = exp(-off * off / (1.6 * half_width * half_width + 0.4)) * min(half_width, 1.0);
-    lead *= smoothstep(-0.35, 0.55, press - 0.75 * grain(gl_FragCoord.xy + 71.0).r);
+    lead *= smoothstep(-0.35, 0.55, press - 0.75 * grain(on_sheet + 71.0).r);
     cover = mix(cover, 0.62 * lead, soft);
     // A face across the direction has no strokes of it, one nearly so would have them anywhere.
     return clamp(cover * tooth, 0.0, 1.0) * smoothstep(0.1, 0.3, slope / max(smoothly.y, 1e-12));

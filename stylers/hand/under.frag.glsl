@@ -10,11 +10,12 @@ uniform vec3 rule;    // colour of its lines
 
 void main() {
     vec2 at = gl_FragCoord.xy;
-    vec3 sheet = mix(paper, bare(at), tooth);
+    vec3 sheet = mix(paper, bare(on_paper(at)), tooth);
+    vec2 ruled = at + shot.xy;
     if (grid > 0.0) {
-        vec2 off = abs(fract(at / grid) - 0.5) * grid, wide = abs(fract(at / (5.0 * grid)) - 0.5) * 5.0 * grid;
-        float lines = max(0.45 * step(0.5 * grid - 0.5, max(off.x, off.y)),
-                          0.9 * step(2.5 * grid - 0.5, max(wide.x, wide.y)));
+        vec2 off = abs(fract(ruled / grid) - 0.5) * grid, wide = abs(fract(ruled / (5.0 * grid)) - 0.5) * 5.0 * grid;
+        float lines = max(0.45 * step(0.5 * grid - 0.5 * shot.z, max(off.x, off.y)),
+                          0.9 * step(2.5 * grid - 0.5 * shot.z, max(wide.x, wide.y)));
         sheet = mix(sheet, rule, lines);
     }
     if (surface(at)) {

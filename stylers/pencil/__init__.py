@@ -50,7 +50,8 @@ class Pencil(Styler):
         yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured), layer)
         yield from hatched(
             Hatching(
-                self.ink, self.hatching, apart=4.0, jitter=2.2, by_picture=0.65, boil=self.boil,
+                self.ink, self.hatching, apart=4.0 * layer.scale, jitter=2.2 * layer.scale,
+                by_picture=0.65, boil=self.boil,
                 coloured=self.coloured, soft=1.0,
             ),
             layer,
@@ -59,7 +60,8 @@ class Pencil(Styler):
         hand = Hand(
             120.0, 240.0, (2.0 * self.width, 2.0 * self.inner * self.width), (self.ink, self.ink),
             strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.35, taper=18.0, tip=50.0, boil=self.boil,
+            overshoot=self.overshoot, pressure=0.35, taper=18.0 * layer.scale,
+            tip=50.0 * layer.scale, boil=self.boil, scale=layer.scale,
             image=image, length=length,
         )  # fmt: skip
         yield from strokes(hand, layer)

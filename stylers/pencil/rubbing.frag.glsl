@@ -7,11 +7,11 @@ uniform float strength;  // of the tone
 uniform float coloured;  // share of the program's own colours
 
 void main() {
-    vec2 at = gl_FragCoord.xy;
+    vec2 at = gl_FragCoord.xy, spot = on_paper(at);
     if (behind == 0 && !surface(at)) discard;
-    vec3 sheet = bare(at);
-    vec3 fine = grain(at), wide = grain(at, 2.2);
-    vec2 place = at + 2.5 * (wide.gb - 0.5);  // a blender does not stop sharply
+    vec3 sheet = bare(spot);
+    vec3 fine = grain(spot), wide = grain(spot, 2.2);
+    vec2 place = at + 2.5 * shot.z * (wide.gb - 0.5);  // a blender does not stop sharply
     if (!surface(place)) place = at;
     if (!surface(place)) {
         colour = vec4(sheet, 1.0);
@@ -21,7 +21,7 @@ void main() {
     float value = max(max(seen.r, seen.g), max(seen.b, 0.05));
     float dark = 1.0 - smoothstep(0.0, 0.85, brightness(seen));
     // The side of the lead goes over the tooth, all one way.
-    vec2 turned = vec2(0.8 * at.x + 0.6 * at.y, 0.8 * at.y - 0.6 * at.x);
+    vec2 turned = vec2(0.8 * spot.x + 0.6 * spot.y, 0.8 * spot.y - 0.6 * spot.x);
     float sweep = grain(turned * vec2(0.12, 1.0), 1.0).g - 0.5;
     float tooth = 0.55 * fine.r + 0.3 * grain(turned * vec2(0.4, 1.3) + 131.0, 1.0).r + 0.15;
     vec3 hue = clamp(mix(vec3(brightness(seen / value)), seen / value, 1.25), 0.0, 1.0);

@@ -37,10 +37,17 @@ class Sketch(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
         yield from under(Paper(self.paper, tint=self.tint), layer)
-        yield from hatched(Hatching(self.ink, self.hatching, boil=self.boil), layer)
+        yield from hatched(
+            Hatching(
+                self.ink, self.hatching, apart=6.0 * layer.scale, jitter=3.0 * layer.scale,
+                boil=self.boil,
+            ),
+            layer,
+        )  # fmt: skip
         hand = Hand(
             120.0, 240.0, (self.width, self.width), (self.ink, self.ink),
             strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.3, taper=14.0, boil=self.boil,
+            overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, boil=self.boil,
+            scale=layer.scale,
         )
         yield from strokes(hand, layer)

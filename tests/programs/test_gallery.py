@@ -130,8 +130,8 @@ def test_a_command_that_makes_no_sense_ends_before_any_run(
 def test_ctrl_c_leaves_no_process_behind(tmp_path: Path) -> None:
     mark = f"endless_{os.getpid()}.py"
     script(tmp_path, mark, "import subprocess, sys, time\nimport OpenGL.GL\n"
-           "subprocess.Popen([sys.executable, '-c', 'import signal; signal.pause()', sys.argv[0]])\n"
-           "import signal; signal.pause()\n")
+           "wait = 'import signal; signal.pause()'\n"
+           "subprocess.Popen([sys.executable, '-c', wait, sys.argv[0]])\nexec(wait)\n")
     with subprocess.Popen(
         [sys.executable, "-m", "glshim", "gallery", mark, "--styles", "none,raskar,crease",
          "--timeout", "40"],

@@ -1,14 +1,87 @@
 """A GLUT program with what goes by pixels: viewports, scissor boxes, widths, text, readbacks.
 
 `python drawing_board.py WIDTH HEIGHT K [counting]`: a window of that size in which lines and points
-are K times as wide. It says what GL says about its state at the end of each frame; `counting` has it
-move with every frame that it draws.
+are K times as wide. It says what GL says about its state at the end of each frame; `counting` has
+it move with every frame that it draws.
 """
 
 import sys
 
-from OpenGL.GL import *  # noqa: F403
-from OpenGL.GLUT import *  # noqa: F403
+from OpenGL.GL import (
+    GL_COLOR_BUFFER_BIT,
+    GL_COMPILE,
+    GL_DEPTH_BUFFER_BIT,
+    GL_DEPTH_TEST,
+    GL_DOUBLEBUFFER,
+    GL_DRAW_BUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_LIGHT0,
+    GL_LIGHTING,
+    GL_LINE_STIPPLE,
+    GL_LINE_STIPPLE_REPEAT,
+    GL_LINE_WIDTH,
+    GL_LINES,
+    GL_MODELVIEW,
+    GL_POINT_SIZE,
+    GL_POINTS,
+    GL_PROJECTION,
+    GL_QUADS,
+    GL_RGB,
+    GL_SCISSOR_BOX,
+    GL_SCISSOR_TEST,
+    GL_UNPACK_ALIGNMENT,
+    GL_UNSIGNED_BYTE,
+    GL_VIEWPORT,
+    glBegin,
+    glBitmap,
+    glCallList,
+    glClear,
+    glClearColor,
+    glColor3f,
+    glColor3ub,
+    glDisable,
+    glEnable,
+    glEnd,
+    glEndList,
+    glFlush,
+    glFrustum,
+    glGetBooleanv,
+    glGetError,
+    glGetFloatv,
+    glGetIntegerv,
+    glLineStipple,
+    glLineWidth,
+    glLoadIdentity,
+    glMatrixMode,
+    glNewList,
+    glNormal3f,
+    glOrtho,
+    glPixelStorei,
+    glPointSize,
+    glRasterPos2f,
+    glReadPixels,
+    glRectf,
+    glRotatef,
+    glScissor,
+    glTranslatef,
+    glVertex2f,
+    glVertex3f,
+    glViewport,
+)
+from OpenGL.GLUT import (
+    GLUT_BITMAP_HELVETICA_12,
+    GLUT_DEPTH,
+    GLUT_DOUBLE,
+    GLUT_RGB,
+    glutBitmapCharacter,
+    glutCreateWindow,
+    glutDisplayFunc,
+    glutInit,
+    glutInitDisplayMode,
+    glutInitWindowSize,
+    glutMainLoop,
+    glutSwapBuffers,
+)
 
 WIDTH, HEIGHT, K = int(sys.argv[1]), int(sys.argv[2]), float(sys.argv[3])
 COUNTING = "counting" in sys.argv
@@ -111,7 +184,8 @@ def display():
         glBitmap(8, 8, 0, 0, 12, 0, ARROW)
         for letter in b"GL 12":
             glutBitmapCharacter(GLUT_BITMAP_HELVETICA_12, letter)
-    state = [list(map(int, glGetIntegerv(GL_VIEWPORT))), list(map(int, glGetIntegerv(GL_SCISSOR_BOX))),
+    boxes = [list(map(int, glGetIntegerv(name))) for name in (GL_VIEWPORT, GL_SCISSOR_BOX)]
+    state = [*boxes,
              float(glGetFloatv(GL_LINE_WIDTH)), float(glGetFloatv(GL_POINT_SIZE)),
              int(glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING)), int(glGetIntegerv(GL_DRAW_BUFFER)),
              bool(glGetBooleanv(GL_DOUBLEBUFFER)), int(glGetIntegerv(GL_LINE_STIPPLE_REPEAT)),
