@@ -143,7 +143,7 @@ def cone(radius: float, low: float, high: float, colour: tuple[float, float, flo
         GL.glVertex3f(x, low, z)
         GL.glNormal3f(other[0] / radius, up, other[1] / radius)
         GL.glVertex3f(other[0], low, other[1])
-        GL.glNormal3f((x + other[0]) / 2 / radius, up, (z + other[1]) / 2 / radius)
+        GL.glNormal3f(0.0, 1.0, 0.0)
         GL.glVertex3f(0.0, high, 0.0)
     GL.glEnd()
     GL.glBegin(GL.GL_POLYGON)
