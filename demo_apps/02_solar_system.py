@@ -136,8 +136,8 @@ class System:
         self.stars = 50 * stars / np.linalg.norm(stars, axis=1, keepdims=True)
         self.bright = generator.uniform(0.35, 1.0, 1400)
         self.rocks = [(generator.normal(4.55, 0.1), generator.uniform(0, 360),
-                       generator.normal(0, 0.07), generator.uniform(0.025, 0.06))
-                      for _ in range(110)]  # fmt: skip
+                       generator.normal(0, 0.07), generator.uniform(0.04, 0.10))
+                      for _ in range(64)]  # fmt: skip
 
     def ball(self, radius: float, picture: int, slices: int = 36) -> None:
         GL.glBindTexture(GL.GL_TEXTURE_2D, picture)
@@ -341,7 +341,7 @@ def motion(x: int, y: int) -> None:
 
 
 def set_up() -> None:
-    GL.glClearColor(0.05, 0.07, 0.15, 1.0)
+    GL.glClearColor(0.09, 0.12, 0.24, 1.0)
     for switch in (GL.GL_DEPTH_TEST, GL.GL_CULL_FACE, GL.GL_NORMALIZE, GL.GL_LIGHT0,
                    GL.GL_LIGHT1, GL.GL_COLOR_MATERIAL):  # fmt: skip
         GL.glEnable(switch)
@@ -365,6 +365,7 @@ def main() -> None:
     GLUT.glutSpecialFunc(arrows)
     GLUT.glutMouseFunc(mouse)
     GLUT.glutMotionFunc(motion)
+    view.seen = GLUT.glutGet(GLUT.GLUT_ELAPSED_TIME) / 1000
     GLUT.glutTimerFunc(16, advance, 0)
     GLUT.glutMainLoop()
 

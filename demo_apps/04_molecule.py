@@ -1,4 +1,4 @@
-"""Molecules as balls and sticks: pygame, GLU quadrics, a legend in an orthographic overlay.
+"""Molecules as balls and sticks: pygame, GLU spheres, a legend in an orthographic overlay.
 
 Caffeine has its measured shape; buckminsterfullerene and benzene are made from their geometry.
 Atoms have the colours of Corey, Pauling and Koltun, double bonds are two sticks. Drag to turn,
@@ -116,34 +116,37 @@ def material(colour: tuple[float, ...]) -> None:
     GL.glMaterialfv(GL.GL_FRONT_AND_BACK, GL.GL_AMBIENT_AND_DIFFUSE, (*colour, 1.0))
 
 
-def draw_stick(start: Floats, end: Floats, radius: float, aside: Floats) -> None:
-    """Half a bond: a cylinder from an atom to the middle."""
-    along = end - start
-    length = float(np.linalg.norm(along))
-    axis = np.cross((0.0, 0.0, 1.0), along)
-    angle = math.degrees(math.acos(float(along[2]) / length))
-    quadric = GLU.gluNewQuadric()
-    GL.glPushMatrix()
-    GL.glTranslatef(*(start + aside))
-    GL.glRotatef(angle, *(axis if np.linalg.norm(axis) > 1e-9 else (1.0, 0.0, 0.0)))
-    GLU.gluCylinder(quadric, radius, radius, length, 20, 1)
-    GL.glPopMatrix()
-    GLU.gluDeleteQuadric(quadric)
+def draw_stick(ends: Floats, radius: float, colours: list[tuple[float, ...]]) -> None:
+    """A cylinder between two points, (2, 3), each half in a colour of its own."""
+    along = ends[1] - ends[0]
+    out = np.cross(along, (0.0, 0.0, 1.0) if abs(along[2]) < 0.9 * np.linalg.norm(along)
+                   else (1.0, 0.0, 0.0))  # fmt: skip
+    out /= np.linalg.norm(out)
+    side = np.cross(along, out) / np.linalg.norm(along)
+    turn = 2 * np.pi * (np.arange(21) % 20)[:, None] / 20
+    ring = np.cos(turn) * out + np.sin(turn) * side
+    middle = ends.mean(axis=0)
+    for colour, low, high in ((colours[0], ends[0], middle), (colours[1], middle, ends[1])):
+        material(colour)
+        GL.glBegin(GL.GL_QUAD_STRIP)
+        for normal in ring:
+            GL.glNormal3fv(normal)
+            GL.glVertex3fv(high + radius * normal)
+            GL.glVertex3fv(low + radius * normal)
+        GL.glEnd()
 
 
 def draw_bonds(molecule: Molecule) -> None:
     for first, second, order in molecule.bonds:
-        a, b = molecule.positions[[first, second]]
-        middle = (a + b) / 2
-        out = np.cross(b - a, (0.0, 0.0, 1.0))
-        if order == 2 and np.linalg.norm(middle) > 1e-9 and abs(middle[2]) > 0.3:
-            out = np.cross(b - a, middle)  # the two sticks lie side by side on a cage
-        out = out / max(float(np.linalg.norm(out)), 1e-9)
-        radius = 0.12 if order == 1 else 0.075
+        ends = molecule.positions[[first, second]]
+        along, middle = ends[1] - ends[0], ends.mean(axis=0)
+        # The two sticks of a double bond lie side by side in a flat molecule, or on a cage.
+        out = np.cross(along, middle if abs(middle[2]) > 0.3 else (0.0, 0.0, 1.0))
+        length = float(np.linalg.norm(out))
+        out = out / length if length > 1e-9 else np.array([1.0, 0.0, 0.0])
+        colours = [ELEMENTS[molecule.symbols[atom]].colour for atom in (first, second)]
         for shift in (0.0,) if order == 1 else (-0.13, 0.13):
-            for atom, start in ((first, a), (second, b)):
-                material(ELEMENTS[molecule.symbols[atom]].colour)
-                draw_stick(start, middle, radius, shift * out)
+            draw_stick(ends + shift * out, 0.12 if order == 1 else 0.075, colours)
 
 
 def draw_atoms(molecule: Molecule, filled: bool) -> None:

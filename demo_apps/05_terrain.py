@@ -131,26 +131,23 @@ class Ground:
 
 def cone(radius: float, low: float, high: float, colour: tuple[float, float, float],
          sides: int = 10) -> None:
-    """A cone with a bottom, along y."""
+    """A cone with a bottom and a blunt tip, along y."""
     GL.glColor3fv(colour)
-    turns = [2 * math.pi * k / sides for k in range(sides)]
-    ring = [(radius * math.cos(a), -radius * math.sin(a)) for a in turns]
-    up = radius / (high - low)
-    GL.glBegin(GL.GL_TRIANGLES)
-    for k, (x, z) in enumerate(ring):
-        other = ring[(k + 1) % sides]
-        GL.glNormal3f(x / radius, up, z / radius)
-        GL.glVertex3f(x, low, z)
-        GL.glNormal3f(other[0] / radius, up, other[1] / radius)
-        GL.glVertex3f(other[0], low, other[1])
-        GL.glNormal3f((x + other[0]) / 2 / radius, up, (z + other[1]) / 2 / radius)
-        GL.glVertex3f(0.0, high, 0.0)
+    turns = [2 * math.pi * (k % sides) / sides for k in range(sides + 1)]
+    ring = [(math.cos(a), -math.sin(a)) for a in turns]
+    tip = 0.06 * radius
+    GL.glBegin(GL.GL_QUAD_STRIP)
+    for x, z in ring:
+        GL.glNormal3f(x, (radius - tip) / (high - low), z)
+        GL.glVertex3f(tip * x, high, tip * z)
+        GL.glVertex3f(radius * x, low, radius * z)
     GL.glEnd()
-    GL.glBegin(GL.GL_POLYGON)
-    GL.glNormal3f(0.0, -1.0, 0.0)
-    for x, z in reversed(ring):
-        GL.glVertex3f(x, low, z)
-    GL.glEnd()
+    for y, size, up, border in ((high, tip, 1.0, ring[:-1]), (low, radius, -1.0, ring[:0:-1])):
+        GL.glBegin(GL.GL_POLYGON)
+        GL.glNormal3f(0.0, up, 0.0)
+        for x, z in border:
+            GL.glVertex3f(size * x, y, size * z)
+        GL.glEnd()
 
 
 def draw_pine() -> None:

@@ -184,10 +184,10 @@ def draw_head(nozzle: Floats) -> None:
 class View:
     azimuth: float = 24.0
     elevation: float = 26.0
-    distance: float = 142.0
+    distance: float = 146.0
     size: tuple[int, int] = SIZE
     way: float = 0.0  # millimetres laid
-    speed: float = 300.0  # millimetres a second
+    speed: float = 160.0  # millimetres a second
     moving: bool = True
     grip: tuple[int, int] | None = None
     seen: float = 0.0  # the time of the last picture, seconds
@@ -247,7 +247,7 @@ def display(job: Print, title: str) -> None:
     GL.glRotatef(view.azimuth, 0.0, 0.0, 1.0)
     GL.glLightfv(GL.GL_LIGHT0, GL.GL_POSITION, (-3.0, -4.0, 6.0, 0.0))
     GL.glLightfv(GL.GL_LIGHT1, GL.GL_POSITION, (5.0, -1.0, 2.0, 0.0))
-    GL.glTranslatef(-BED / 2, -BED / 2, -0.42 * (job.high[2] - min(job.low[2], 0.0)) - 6.0)
+    GL.glTranslatef(-BED / 2, -BED / 2, -0.5 * job.high[2] - 8.0)
     done, nozzle = job.nozzle(view.way)
     draw_bed(0.0)
     job.draw(done, nozzle)
@@ -335,13 +335,14 @@ def main() -> int:
     GLUT.glutCreateWindow(b"3D printer")
     set_up()
     job = Print(strands)
-    view.way = 0.7 * job.reach[-1]  # there is something to see; r begins at the first layer
+    view.way = 0.66 * job.reach[-1]  # there is something to see; r begins at the first layer
     GLUT.glutDisplayFunc(lambda: display(job, path.name))
     GLUT.glutReshapeFunc(reshape)
     GLUT.glutKeyboardFunc(keyboard)
     GLUT.glutSpecialFunc(arrows)
     GLUT.glutMouseFunc(mouse)
     GLUT.glutMotionFunc(motion)
+    view.seen = GLUT.glutGet(GLUT.GLUT_ELAPSED_TIME) / 1000
     advance(job)
     GLUT.glutMainLoop()
     return 0

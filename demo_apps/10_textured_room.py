@@ -120,6 +120,7 @@ class Scene:
             GL.glBegin(GL.GL_QUADS)
             for k, patch in enumerate(level.patches):
                 if patch.paint == name:
+                    GL.glNormal3fv(patch.normal)
                     for corner, place, lumel in zip(patch.corners, patch.places, level.lumels(k),
                                                     strict=True):  # fmt: skip
                         GL.glMultiTexCoord2f(GL.GL_TEXTURE0, *place)

@@ -140,6 +140,11 @@ class Patch:
     corners: Floats
     places: Floats
 
+    @property
+    def normal(self) -> Floats:
+        across = np.cross(self.corners[1] - self.corners[0], self.corners[3] - self.corners[0])
+        return np.asarray(across / np.linalg.norm(across))
+
 
 @dataclass
 class Level:
@@ -221,9 +226,9 @@ class Level:
             self.box("stone", polygon(x, z, 0.48, 4), 2.75, CEILING, ends="bottom")
         elif letter in "cC":
             turn = 37.0 * x + 61.0 * z
-            self.box("crate", polygon(x, z, 0.58, 4, turn), 0.0, 0.82)
+            self.box("crate", polygon(x, z, 0.5, 4, turn), 0.0, 0.72)
             if letter == "C":
-                self.box("crate", polygon(x + 0.04, z, 0.48, 4, turn + 28.0), 0.82, 1.5)
+                self.box("crate", polygon(x + 0.03, z, 0.42, 4, turn + 28.0), 0.72, 1.32)
         elif letter in "lL":
             self.box("lamp", polygon(x, z, 0.3, 4), 2.62, 2.88, ends="top bottom")
             self.lamps.append((x, 2.5, z))
@@ -232,8 +237,7 @@ class Level:
         """The light map: for each patch LUMELS x LUMELS samples, from edge to edge."""
         corners = np.stack([p.corners for p in self.patches])
         ahead, up = corners[:, 1] - corners[:, 0], corners[:, 3] - corners[:, 0]
-        normals = np.cross(ahead, up)
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        normals = np.stack([p.normal for p in self.patches])
         t, s = np.mgrid[0:LUMELS, 0:LUMELS] / (LUMELS - 1) * 0.96 + 0.02
         spots = (corners[:, None, None, 0] + s[..., None] * ahead[:, None, None]
                  + t[..., None] * up[:, None, None] + 0.09 * normals[:, None, None])  # fmt: skip
