@@ -102,8 +102,9 @@ def running(name: str, display: str, folder: Path, **variables: str) -> Iterator
     }  # fmt: skip
     hand = Hand(display)
     hand.let_go()
+    program_of = [str(HERE / "apps" / f"keys_{app}.py")] if app != "-m" else ["-m"]
     process = subprocess.Popen(
-        [sys.executable, str(HERE / "apps" / f"keys_{app}.py"), *arguments],
+        [sys.executable, *program_of, *arguments],
         env=environ, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     )  # fmt: skip
     program = Program(process, hand, folder)
@@ -188,6 +189,28 @@ def test_a_key_that_the_user_names_goes_before_shortcuts_of_the_programs(
         program.press(9)
         assert program.saved()[0] == "glshim-keys_qt-raskar-001.png"
         assert not program.lines("key")
+        program.end()
+
+
+def test_the_viewer_speaks_of_our_keys_and_leaves_them_to_us(display: str, tmp_path: Path) -> None:
+    styles = {"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "raskar:ink=#ff0000"}
+    with running("-m demo_apps.viewer", display, tmp_path, **styles) as program:
+        program.press(9)
+        program.press(12)
+        name, picture = program.saved()
+        assert name == "glshim-viewer-raskar-001.png"
+        assert red_of(picture).any()
+        program.end()
+
+
+def test_a_default_key_that_the_program_names_reaches_it(display: str, tmp_path: Path) -> None:
+    with running("glfw own", display, tmp_path, GLSHIM_KEYS="on") as program:
+        program.press(10)
+        program.wait(lambda: program.lines("key") == ["key F10"], "key of its own")
+        program.wait(lambda: len(program.lines("glshim: F10 stays the program's own")) == 1, "line")
+        program.press(9)
+        assert program.saved()[0].count("none") == 0
+        assert program.lines("key") == ["key F10"]
         program.end()
 
 

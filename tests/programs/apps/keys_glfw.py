@@ -14,6 +14,9 @@ def on_key(window, key, scancode, action, mods):
             glfw.set_window_should_close(window, True)
 
 
+if "own" in sys.argv:
+    import keys_of_its_own  # noqa: F401
+
 glfw.init()
 window = glfw.create_window(320, 240, "keys", None, None)
 set_key_callback(window, on_key)
