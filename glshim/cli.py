@@ -69,7 +69,7 @@ def _parser() -> argparse.ArgumentParser:
 
     view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
     view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
-    view.set_defaults(command=_view, keys="on")
+    view.set_defaults(command=_view)
 
     gallery.add_command(commands)
     shots.add_command(commands, DEFAULT_STYLE)
@@ -98,6 +98,8 @@ def _run(asked: argparse.Namespace) -> int:
 
 
 def _view(asked: argparse.Namespace) -> int:
+    if asked.keys is None and keys.KEYS not in os.environ:
+        asked.keys = "on"
     return _launch(["-m", VIEWER, *([asked.model] if asked.model else [])], asked)
 
 

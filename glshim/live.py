@@ -45,6 +45,7 @@ class Controls:
         self._folder, self._pictures = folder, Pictures(settings.folder)
         self._styles = cycle_of(settings.styles, style)
         self._at = 0 if style and style != _PLAIN else -1
+        self._first = style or ""
         self._worn: tuple[tuple[Styler | None, str], ...] = ((pipeline.current(), style or ""),)
         """The last two styles and their texts: one draws, and another may be about to."""
         self._off: Styler | None = None
@@ -85,6 +86,21 @@ class Controls:
         if action is not None:
             self._wishes.append(action)
             keyboard.redraw()
+
+    # -- the style that the program began with, saved anew --------------------------------------
+
+    def renew(self, styler: Styler) -> None:
+        """Its file was saved: it draws so if it is on, or when it is switched on again. Where
+        another one of the row is on nothing changes; each is read when its turn comes."""
+        drawing = pipeline.current()
+        shown = self._off if drawing is None and self._off is not None else drawing
+        if shown is not None and self._text_of(shown) != self._first:
+            return
+        self._worn = (self._worn[-1], (styler, self._first))
+        if self._off is not None:
+            self._off = styler
+        else:
+            pipeline.switch(styler)
 
     # -- frame ends ------------------------------------------------------------------------------
 
@@ -151,8 +167,11 @@ class Controls:
         drawing = pipeline.current()
         if drawing is None:
             return "off" if self._off is not None else _PLAIN
-        text = next((text for styler, text in self._worn if styler is drawing), drawing.name)
+        text = self._text_of(drawing)
         return Path(text).stem if text.endswith(".toml") else text.partition(":")[0].strip()
+
+    def _text_of(self, worn: Styler) -> str:
+        return next((text for styler, text in self._worn if styler is worn), worn.name)
 
     def _lines(self) -> list[str]:
         """What the panel says."""

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from types import CodeType, ModuleType
 
+VARIABLE = "GLSHIM_KEYS"
 _INSTALLED = ("site-packages", "dist-packages")
 _OURS = ("glshim", "stylers")
 
@@ -22,7 +23,9 @@ def user_of(key: str) -> str | None:
     word = re.compile(rf"(?<![0-9A-Za-z#%]){re.escape(key)}(?![0-9A-Za-z])")
     for module in _own_modules():
         code = _code(module)
-        if code is not None and any(word.search(text) for text in _words(code)):
+        words = set() if code is None else set(_words(code))
+        # Who reads the variable speaks of our keys.
+        if any(map(word.search, words)) and VARIABLE not in words:
             return str(module.__file__)
     return None
 
@@ -54,8 +57,14 @@ def _code(module: ModuleType) -> CodeType | None:
 def _words(code: CodeType) -> Iterator[str]:
     """The names and texts of a code and of all that it holds; comments are none."""
     yield from code.co_names
-    for constant in code.co_consts:
+    yield from _texts(code.co_consts)
+
+
+def _texts(constants: Iterable[object]) -> Iterator[str]:
+    for constant in constants:
         if isinstance(constant, str):
             yield constant
         elif isinstance(constant, CodeType):
             yield from _words(constant)
+        elif isinstance(constant, (tuple, frozenset)):
+            yield from _texts(constant)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import TYPE_CHECKING
 
 from glshim import keys, options, stillness
 from glshim.capture import frames
@@ -11,11 +12,16 @@ from glshim.notices import say, say_fault
 from glshim.reload import Reloader
 from glshim.styling.protocol import Styler
 
+if TYPE_CHECKING:
+    from glshim.live import Controls
+
 SHOT = "GLSHIM_SHOT"
 """`glshim.shots.plan.VARIABLE`, which is not loaded but then."""
 LOOKS_AT_THE_PICTURE, DRAWS_OVER_IT, COUNTS = 1, 2, 3
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
 NO_STYLE = "none"
+_controls: Controls | None = None
+"""What the keys do, where some are watched."""
 
 
 def begin(folder: str) -> None:
@@ -73,20 +79,25 @@ def _install(style: str, folder: str, *, live: bool) -> None:
 
 
 def _switch(styler: Styler) -> None:
+    """The style's file was saved: where keys may have chosen another style they decide."""
+    if _controls is not None:
+        _controls.renew(styler)
+        return
     from glshim import pipeline
 
     pipeline.switch(styler)
 
 
 def _watch_keys(wishes: keys.LiveSettings, style: str | None, folder: str) -> None:
+    global _controls
     try:
         from glshim.capture import keyboard, keyboards
         from glshim.live import Controls
 
-        controls = Controls(wishes, style, folder)
+        _controls = Controls(wishes, style, folder)
         keyboards.watch()
-        keyboard.listen(controls)
-        frames.install(controls.frame_ends, rank=DRAWS_OVER_IT)
+        keyboard.listen(_controls)
+        frames.install(_controls.frame_ends, rank=DRAWS_OVER_IT)
     except Exception as error:
         say_fault("cannot watch the keys, the program runs on without them", error)
 

@@ -24,7 +24,7 @@ from .sources import LIBRARIES, SourceMissing, unpacked
 F1, SHIFT = 0xFFBE, 0xFFE1
 SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT")
 """What the programs make of a shift key, which nobody takes from them."""
-TOOLKITS = ("glut", "glut deaf", "glfw", "pygame", "pygame wait", "qt")
+TOOLKITS = ("glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt")
 
 
 @pytest.fixture(scope="module")
@@ -102,8 +102,9 @@ def running(name: str, display: str, folder: Path, **variables: str) -> Iterator
     }  # fmt: skip
     hand = Hand(display)
     hand.let_go()
+    program_of = [str(HERE / "apps" / f"keys_{app}.py")] if app != "-m" else ["-m"]
     process = subprocess.Popen(
-        [sys.executable, str(HERE / "apps" / f"keys_{app}.py"), *arguments],
+        [sys.executable, *program_of, *arguments],
         env=environ, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     )  # fmt: skip
     program = Program(process, hand, folder)
@@ -117,6 +118,16 @@ def running(name: str, display: str, folder: Path, **variables: str) -> Iterator
         process.wait()
 
 
+def screen(display: str) -> np.ndarray:
+    """(H, W, 3) what is seen of a program of 320 x 240 pixels, perhaps with a border."""
+    return np.array(ImageGrab.grab(xdisplay=display))[:250, :330]
+
+
+def red_of(picture: np.ndarray) -> np.ndarray:
+    """(H, W) where it has the ink's colour."""
+    return (picture == (255, 0, 0)).all(axis=2)
+
+
 @pytest.mark.parametrize("toolkit", TOOLKITS)
 def test_keys_do_what_they_say_and_the_program_does_not_get_them(
     toolkit: str, display: str, tmp_path: Path
@@ -127,17 +138,20 @@ def test_keys_do_what_they_say_and_the_program_does_not_get_them(
         name, plain = program.saved()
         assert name == f"{app}-none-001.png"
         program.press(9)
+        program.wait(lambda: red_of(screen(display)).sum() > 300, "red ink without another event")
+        shown = screen(display)
         name, inked = program.saved()
         assert name == f"{app}-raskar-001.png"
-        red = (inked == (255, 0, 0)).all(axis=2)
-        assert red.sum() > 300
+        red = red_of(inked)
+        assert red_of(shown).sum() == red.sum()
         assert (inked[~red] == plain[~red]).all(axis=1).mean() > 0.9
         program.press(12)
-        screen = np.array(ImageGrab.grab(xdisplay=display))[:240, :320]
-        name, again = program.saved()  # the panel is on the screen alone
+        covered = screen(display)
+        name, again = program.saved()  # the panel, which is on the screen alone, is not in it
         assert name == f"{app}-raskar-002.png"
         assert np.array_equal(again, inked)
-        assert (screen[:40, :150] != inked[:40, :150]).any(axis=2).mean() > 0.5
+        assert (covered[10:45, 10:150] != shown[10:45, 10:150]).any(axis=2).all()
+        assert np.array_equal(covered[120:], shown[120:])
         program.press(12)
         program.press(10)
         name, off = program.saved()
@@ -175,6 +189,28 @@ def test_a_key_that_the_user_names_goes_before_shortcuts_of_the_programs(
         program.press(9)
         assert program.saved()[0] == "glshim-keys_qt-raskar-001.png"
         assert not program.lines("key")
+        program.end()
+
+
+def test_the_viewer_speaks_of_our_keys_and_leaves_them_to_us(display: str, tmp_path: Path) -> None:
+    styles = {"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "raskar:ink=#ff0000"}
+    with running("-m demo_apps.viewer", display, tmp_path, **styles) as program:
+        program.press(9)
+        program.press(12)
+        name, picture = program.saved()
+        assert name == "glshim-viewer-raskar-001.png"
+        assert red_of(picture).any()
+        program.end()
+
+
+def test_a_default_key_that_the_program_names_reaches_it(display: str, tmp_path: Path) -> None:
+    with running("glfw own", display, tmp_path, GLSHIM_KEYS="on") as program:
+        program.press(10)
+        program.wait(lambda: program.lines("key") == ["key F10"], "key of its own")
+        program.wait(lambda: len(program.lines("glshim: F10 stays the program's own")) == 1, "line")
+        program.press(9)
+        assert program.saved()[0].count("none") == 0
+        assert program.lines("key") == ["key F10"]
         program.end()
 
 

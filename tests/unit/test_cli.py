@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from glshim import cli
+
 LOOK = """
 import __main__, json, os, sys
 print(json.dumps({
@@ -47,6 +49,7 @@ def python(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedP
         (["--style", "nowhere.toml"], "nowhere.toml"),
         (["--frames", "0"], "whole number from 1"),
         (["--capture", "a.jpg"], ".png"),
+        (["--keys", "cycle=F99"], "no key is called 'F99': did you mean F9?"),
     ],
 )
 def test_what_makes_no_sense_ends_with_2_before_the_program(
@@ -153,3 +156,26 @@ def test_doctor_measures_the_startup_cost() -> None:
     done = glshim("doctor", "--startup-cost")
     assert done.returncode == 0
     assert "of glshim imported                nothing" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("command", "environ", "keys"),
+    [
+        (["view"], {}, "on"),
+        (["view", "--keys", "off"], {}, "off"),
+        (["view"], {"GLSHIM_KEYS": "cycle=F5"}, "cycle=F5"),
+        (["run", "app.py"], {}, None),
+        (["run", "--keys", "cycle=F5", "app.py"], {}, "cycle=F5"),
+    ],
+)
+def test_keys_are_on_in_the_viewer_and_elsewhere_when_asked_for(
+    command: list[str], environ: dict[str, str], keys: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def run(program: list[str], variables: Mapping[str, str], *, headless: bool) -> int:
+        assert ({**os.environ, **variables}).get("GLSHIM_KEYS") == keys
+        return 7
+
+    for name, text in environ.items():
+        monkeypatch.setenv(name, text)
+    monkeypatch.setattr(cli.launch, "run", run)
+    assert cli.main(command) == 7

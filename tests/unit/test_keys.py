@@ -169,6 +169,30 @@ def test_toggling_comes_back_to_the_same_style(tmp_path: Path, stage: Stage) -> 
     assert after(made, stage, "F10") == "fins"
 
 
+def test_a_file_that_is_saved_changes_its_own_style_alone(tmp_path: Path, stage: Stage) -> None:
+    old, new, newer = (parse_style(f"fins:ink=#00000{n}") for n in range(3))
+    stage.now = stage.next = old
+    made = controls(tmp_path, "a.toml,raskar", str(tmp_path / "a.toml"))
+    made.renew(new)
+    assert stage.next is new  # it is on
+    stage.now = new
+    assert after(made, stage, "F10") == "none"
+    made.renew(newer)
+    assert stage.next is None  # it is off, and comes back as it was saved
+    assert after(made, stage, "F10") == "fins"
+    assert stage.now is newer
+    assert after(made, stage, "F9") == "raskar"
+    made.renew(new)
+    assert stage.next is stage.now  # another one is on
+
+
+def test_a_file_that_is_mended_comes_on(tmp_path: Path, stage: Stage) -> None:
+    made = controls(tmp_path, "a.toml,raskar", str(tmp_path / "a.toml"))
+    mended = parse_style("fins")
+    made.renew(mended)
+    assert stage.next is mended
+
+
 def test_a_style_that_cannot_be_read_is_passed_over(
     tmp_path: Path, stage: Stage, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -227,6 +251,8 @@ def test_a_default_key_that_the_program_names_stays_its_own(
         ("K = [pygame.K_F9]", True),
         ("print('F9: help')", True),
         ("widget.bind('<F9>')", True),
+        ("KEYS = {'next': ('F9', 1)}", True),
+        ("if os.environ['GLSHIM_KEYS'] == 'on': print('F9: next style')", False),
         ("# F9 is free\nx = 1", False),
         ("colour = '#F9'; b = 'AF9 F99 %F9'; KEY_F90 = 1", False),
     ],
