@@ -1,4 +1,4 @@
-"""The command line: ``glshim run|view|styles|doctor ...``, the same as ``python -m glshim``.
+"""The command line: ``glshim run|view|gallery|shot|styles ...``, or ``python -m glshim``.
 
 Exit status: the program's own under ``run`` and ``view``; 2 for a command that makes no sense (a
 style, a number, a screen that is not there), before any window opens.
@@ -13,7 +13,9 @@ from collections.abc import Sequence
 
 from glshim import keys, launch, options
 from glshim.errors import GlshimError
+from glshim.gallery import cli as gallery
 from glshim.notices import say
+from glshim.shots import cli as shots
 
 DEFAULT_STYLE = "raskar"
 VIEWER = "demo_apps.viewer"
@@ -68,6 +70,9 @@ def _parser() -> argparse.ArgumentParser:
     view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
     view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
     view.set_defaults(command=_view, keys="on")
+
+    gallery.add_command(commands)
+    shots.add_command(commands, DEFAULT_STYLE)
 
     styles = commands.add_parser("styles", help="list the styles and their options")
     styles.add_argument("names", nargs="*", metavar="NAME", help="only these")

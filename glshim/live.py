@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from glshim import options, owners, pipeline
 from glshim.capture import frames, keyboard
 from glshim.errors import GlshimError
-from glshim.keys import KEYS, Keys, LiveSettings
+from glshim.keys import KEYS, LiveSettings
 from glshim.notices import say, say_once
 from glshim.render import framegrab, overlay
 from glshim.styling import registry
@@ -59,15 +59,21 @@ class Controls:
         """Whether a key is ours: one that the user named, or a default key that the program's own
         code does not name."""
         action = self._keys.action(chord)
-        if action is None or action in self._keys.named:
-            return action is not None
-        user = owners.user_of(chord.rpartition("+")[2])
+        if action is None:
+            return False
+        user = self._user_of(action)
         if user is not None:
             say_once(
                 f"{chord} stays the program's own, {user} names it; "
                 f"{KEYS}={action}=KEY chooses another key"
             )
         return user is None
+
+    def _user_of(self, action: str) -> str | None:
+        """The file that keeps an action from its default key."""
+        if action in self._keys.named:
+            return None
+        return owners.user_of(self._keys.chords[action].rpartition("+")[2])
 
     def claims(self, chord: str) -> bool:
         """Whether the user named it."""
@@ -159,7 +165,12 @@ class Controls:
         numbers = f"{self._clock.seconds * 1e3:.1f} ms, {1.0 / self._clock.seconds:.0f} fps"
         if drawing is not None:
             numbers += f", {counted.polygons:,} polygons, {counted.draws} draws"
-        return [title, numbers, help_line(self._keys)]
+        keys = [
+            f"{key} {_LABELS[action]}"
+            for action, key in self._keys.chords.items()
+            if self._user_of(action) is None
+        ]
+        return [title, numbers, "   ".join(keys)]
 
 
 def cycle_of(styles: Sequence[str], first: str | None) -> tuple[str, ...]:
@@ -179,11 +190,6 @@ def changed_options(styler: Styler) -> list[str]:
         for each in options_of(type(styler))
         if getattr(styler, each.name) != each.default
     ]
-
-
-def help_line(keys: Keys) -> str:
-    """``F9 style  F10 on/off``: the keys and what they do."""
-    return "   ".join(f"{key} {_LABELS[action]}" for action, key in keys.chords.items())
 
 
 class FrameClock:

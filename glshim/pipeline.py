@@ -27,6 +27,14 @@ from .styling.protocol import BackFaces, Layer, Styler
 _DOUBLE_BUFFER = 0x0C32
 
 
+def _asked() -> bool:
+    return bool(integer(_DOUBLE_BUFFER))
+
+
+is_double_buffered: Callable[[], bool] = _asked
+"""Whether the window that is drawn to is; a shot draws elsewhere and knows."""
+
+
 @dataclass(slots=True)
 class Counted:
     """What one frame was made of."""
@@ -78,7 +86,10 @@ class Pipeline:
         self.styler = styler
         self._surface.wear(styler.surface if styler is not None else "app")
         self._follower.restyle(
-            Wanted(colours=styler.wants_colours, normals=styler.wants_normals)
+            Wanted(
+                colours=styler.wants_colours, normals=styler.wants_normals,
+                lights=styler.wants_lights,
+            )
             if styler is not None else None
         )
 
@@ -128,12 +139,13 @@ class Pipeline:
 
     def layer_ends(self, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the backend adds it."""
-        over, fresh = scene.layer.over, scene.layer.fresh
+        over, fresh, lighting = scene.layer.over, scene.layer.fresh, scene.layer.lighting
         items = scene.layer.take()
         if not items or self.styler is None:
             return
+        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting)
         try:
-            self._add(self.styler, Layer(items, light(), over, fresh, time.monotonic()), scene)
+            self._add(self.styler, layer, scene)
         except Exception as error:
             if not self.live:
                 raise
@@ -160,7 +172,7 @@ class Pipeline:
 
     def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        if scene is None or scene.refused or scene.unpainted or integer(_DOUBLE_BUFFER):
+        if scene is None or scene.refused or scene.unpainted or is_double_buffered():
             return call()
         return frames.present(call)
 
@@ -229,6 +241,12 @@ def current() -> Styler | None:
 def counted() -> Counted:
     """What the frame that ends now is made of: for listeners of frame ends, of rank 1 or more."""
     return _current.counted if _current is not None else Counted()
+
+
+def revise(change: Callable[[Styler], Styler]) -> None:
+    """Draw from now on as a styler of the same class that is made of the current one."""
+    if _current is not None and _current.styler is not None:
+        _current.styler = change(_current.styler)
 
 
 def uninstall() -> None:

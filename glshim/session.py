@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import os
 
-from glshim import keys, options
+from glshim import keys, options, stillness
 from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
 from glshim.reload import Reloader
 from glshim.styling.protocol import Styler
 
+SHOT = "GLSHIM_SHOT"
+"""`glshim.shots.plan.VARIABLE`, which is not loaded but then."""
 LOOKS_AT_THE_PICTURE, DRAWS_OVER_IT, COUNTS = 1, 2, 3
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
 NO_STYLE = "none"
@@ -25,8 +27,17 @@ def begin(folder: str) -> None:
     wishes, complaints = keys.read_environment(os.environ, folder)
     for complaint in complaints:
         say(complaint)
+    shot = None
+    if SHOT in os.environ:
+        from glshim.shots.plan import Plan
+        from glshim.shots.shooter import Shot
+
+        shot = Shot(Plan.of_text(os.environ[SHOT]))
+        shot.prepare()
     if settings.style is not None or wishes is not None:
         _install(settings.style or NO_STYLE, folder, live=wishes is not None)
+    if shot is not None:
+        shot.begin()
     if settings.capture is not None:
         from glshim.render.framegrab import FrameWriter
 
@@ -34,6 +45,8 @@ def begin(folder: str) -> None:
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
     if wishes is not None:
         _watch_keys(wishes, settings.style, folder)
+    if stillness.VARIABLE in os.environ:
+        stillness.count_frames()
     if settings.frames is not None:
         FrameLimit(settings.frames).install()
 

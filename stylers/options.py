@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glshim.styling.protocol import option
+from glshim.styling.protocol import Colour, option
 from stylers.strokes import MADE
 
 
@@ -36,4 +36,54 @@ def texture_length(line: str) -> Any:
         low=0.0,
         high=4096.0,
         unit="px",
+    )
+
+
+def textures() -> Any:
+    """``textures``: between `Styler.surface` ``paint`` and ``colours``."""
+    return option(
+        "app", help="the app's textures, or its colours alone", choices=("app", "off")
+    )
+
+
+def shade_unlit() -> Any:
+    """``shade_unlit``, for `stylers.shading.by_light`."""
+    return option(
+        "auto",
+        help="what the app draws without lights: shaded by a light behind the viewer's shoulder, "
+        "left as it is, or (auto) shaded where nothing is lit by the app, if it has no textures",
+        choices=("auto", "off", "head"),
+    )
+
+
+def crease_angle(default: float) -> Any:
+    """``crease_angle``."""
+    return option(
+        default, help="creases are where polygons turn by more", low=0.0, high=180.0,
+        unit="degrees",
+    )  # fmt: skip
+
+
+def tolerance() -> Any:
+    """``tolerance``: of mesh recovery; what rounding parts is one."""
+    return option(
+        1e-5, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+    )
+
+
+def paper(default: Colour) -> Any:
+    """``paper``: see `stylers.edge_mesh.tones.tone_passes`."""
+    return option(
+        default, help="what is behind the surfaces: as the app drew it, or paper of a colour",
+        choices=("app",), colour=True,
+    )  # fmt: skip
+
+
+def intersections() -> Any:
+    """``intersections``, for `stylers.crossings.crossings`."""
+    return option(
+        "auto",
+        help="lines where polygons pass through each other, which costs drawing all of them twice; "
+        "auto: of what has at most 20,000 polygons",
+        choices=("auto", "on", "off"),
     )

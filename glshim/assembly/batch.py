@@ -17,6 +17,8 @@ class Wanted:
     """`PolygonBatch.regions`."""
     normals: bool = False
     """`PolygonBatch.normals`."""
+    lights: bool = False
+    """`Camera.lit` of the cameras that they are drawn with, and the lights of a layer."""
 
 
 POSITIONS = Wanted()

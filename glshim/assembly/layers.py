@@ -13,6 +13,7 @@ from itertools import count
 from ..caches import AgingCache
 from ..capture.state import DrawState
 from ..geometry.camera import Camera
+from ..geometry.lights import Lighting
 from .batch import POSITIONS, PolygonBatch, Wanted
 from .immediate import assemble_many
 
@@ -92,6 +93,8 @@ class LayerCollector:
         """An earlier layer of the frame lies below the one that is gathered."""
         self.fresh = True
         """The depth buffer held nothing when it began."""
+        self.lighting: Lighting | None = None
+        """The lights when the first lit polygons of the layer were drawn."""
 
     @property
     def pending(self) -> bool:
@@ -161,6 +164,7 @@ class LayerCollector:
         ]
         items.extend((self._content.of_batch(batch), camera) for batch, camera in self._batches)
         self._primitives, self._batches, self._last = {}, [], None
+        self.lighting = None
         self.over, self.fresh = self.over or bool(items), self.fresh and not items
         self._content.tick()
         return tuple(item for item in items if len(item[0].corners))

@@ -159,7 +159,7 @@ def _hook_glfw(module: ModuleType) -> None:
     def create_window(*arguments: Any) -> Any:
         window = create(*arguments)
         if window:
-            apps.pop(_address(window), None)
+            apps[_address(window)] = None
             set_callback(window, hooked)
         return window
 
@@ -170,7 +170,13 @@ def _hook_glfw(module: ModuleType) -> None:
         set_callback(window, hooked)
         return previous
 
+    def redraw() -> None:
+        """Loops that wait for events go round once more."""
+        if apps:
+            library.glfwPostEmptyEvent()
+
     library.glfwCreateWindow, library.glfwSetKeyCallback = create_window, set_key_callback
+    keyboard.on_redraw(redraw)
 
 
 def _address(pointer: Any) -> int:
@@ -183,8 +189,8 @@ _PYGAME_BITS = {"shift": 0x3, "ctrl": 0xC0, "alt": 0x300}
 
 
 def _hook_pygame(module: ModuleType) -> None:
-    """The app gets its events without those of our keys; each leaves a VIDEOEXPOSE, for programs
-    that draw when there is an event."""
+    """The app gets its events without those of our keys. Another frame is asked for by a
+    VIDEOEXPOSE, for programs that draw when there is an event."""
     constants: Any = sys.modules["pygame.constants"]
     names = {getattr(constants, f"K_{name}"): name for name in keyboard.NAMES[:12]}
     names |= {ord(name.lower()): name for name in keyboard.NAMES if len(name) == 1}
@@ -196,12 +202,12 @@ def _hook_pygame(module: ModuleType) -> None:
             return keyboard.released(names.get(event.key))
         if event.type != constants.KEYDOWN:
             return False
-        name, held = names.get(event.key), _held(getattr(event, "mod", 0), _PYGAME_BITS)
-        if not keyboard.pressed(name, held):
-            return False
-        with suppress(Exception):  # a full queue
+        held = _held(getattr(event, "mod", 0), _PYGAME_BITS)
+        return keyboard.pressed(names.get(event.key), held)
+
+    def redraw() -> None:
+        with suppress(Exception):  # a full queue, no display
             post(event_of(constants.VIDEOEXPOSE))
-        return True
 
     def many(plain: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(plain)
@@ -226,6 +232,7 @@ def _hook_pygame(module: ModuleType) -> None:
     module.get = many(module.get)  # type: ignore[attr-defined]
     for name in ("poll", "wait"):
         setattr(module, name, one(getattr(module, name)))
+    keyboard.on_redraw(redraw)
 
 
 # --- Qt -----------------------------------------------------------------------------------------

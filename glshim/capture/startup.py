@@ -34,6 +34,10 @@ def arm() -> None:
         return
     _armed = True
     _folder = os.getcwd()
+    if "GLSHIM_STILL" in os.environ:  # before the program has looked at a clock
+        from glshim import stillness
+
+        stillness.begin()
     for toolkit in EARLY_TOOLKITS:
         after_import(toolkit, _watch_toolkits)
     after_import(PYOPENGL, _begin)

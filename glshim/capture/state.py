@@ -38,6 +38,9 @@ _INTEGERS = (
     ("stencil", 0x0B92, 1),
     ("stencil", 0x0B97, 1),
     ("stencil", 0x0B93, 1),
+    ("lighting", 0x0B50, 1),
+    ("textured", 0x0DE1, 1),
+    ("specular", 0x1202, 4),  # of the front material: floats
     *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
 )
 _MODELVIEW_BYTES = 64
@@ -48,6 +51,8 @@ _LIGHT_0, _POSITION = 0x4000, 0x1203
 _LIGHTING, _COLOR_MATERIAL, _CURRENT_COLOR = 0x0B50, 0x0B57, 0x0B00
 _FRONT, _DIFFUSE = 0x0404, 0x1201
 _CURRENT_NORMAL = 0x0B02
+_DULL = 0.05
+"""A material with less of a specular colour does not gleam."""
 _LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
@@ -73,11 +78,15 @@ class DrawState:
 class StateReader:
     """Reads :class:`DrawState`; equal states give the same object."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, lighting: bool = False) -> None:
+        """lighting: whether `Camera.lit` and what goes with it is asked for."""
+        self._lighting = lighting
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
         self._stencil_calls: list[Callable[[], None]] = []
         self._stencil_test = ctypes.c_int32()
+        self._lit_calls: list[Callable[[], None]] = []
+        self._lit = ctypes.c_int32()
         self._clips = False
         self._known: dict[bytes, DrawState] = {}
         self._rest: dict[bytes, DrawState] = {}
@@ -97,6 +106,9 @@ class StateReader:
             get()
         if self._stencil_test.value:
             for get in self._stencil_calls:
+                get()
+        if self._lit.value:  # only then: Mesa flushes what it holds when it is asked for a material
+            for get in self._lit_calls:
                 get()
         key = bytes(self._buffer)
         state = self._known.get(key)
@@ -118,8 +130,13 @@ class StateReader:
             call = partial(integers, name, self._at(offset))
             if kind == "stencil":
                 self._stencil_calls.append(call)
-            elif kind != "clip" or self._clips:
+            elif kind == "specular":
+                material = quick("glGetMaterialfv")
+                self._lit_calls = [partial(material, _FRONT, name, self._at(offset))]
+            elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
+            if kind == "lighting":
+                self._lit = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             if kind == "stencil_test":
                 self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             offset += count
@@ -139,12 +156,23 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil,
+            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
             rest.obstacle, rest.fill_faces,
         )  # fmt: skip
+
+
+def _brightest(words: tuple[int, ...]) -> float:
+    """The greatest channel of a colour whose floats were read as integers."""
+    red, green, blue, _ = struct.unpack("=4f", struct.pack("=4i", *words))
+    return max(float(red), float(green), float(blue))
+
+
+def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
+    """Whether a kind of value is in the key."""
+    return {"clip": clips, "lighting": lighting, "textured": lighting}.get(kind, True)
 
 
 def _decode_rest(key: bytes) -> DrawState:
@@ -164,6 +192,9 @@ def _decode_rest(key: bytes) -> DrawState:
         scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
+        lit=bool(values["lighting"][0]),
+        textured=bool(values["textured"][0]),
+        gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )
     func = values["depth_func"][0]
     depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)

@@ -20,6 +20,7 @@ from glshim.errors import StyleError
 from glshim.styling.fromfile import shortcoming
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import (
+    SURFACES,
     BackFaces,
     Draw,
     Layer,
@@ -109,8 +110,8 @@ def _refuse(make: type[Styler], option: Option, value: Any) -> None:
 
 def _draws_are_plain(styler: Styler) -> None:
     surface = styler.surface
-    if not (surface in ("app", "none") or (isinstance(surface, tuple) and len(surface) == 3)):
-        raise Fault(f"its surface is {surface!r}", 'give "app", "none" or a colour')
+    if not (surface in SURFACES or (isinstance(surface, tuple) and len(surface) == 3)):
+        raise Fault(f"its surface is {surface!r}", f"give {', '.join(SURFACES)} or a colour")
     drawn = draws_of(styler, layers.usual())
     if not styler.wants_polygons and drawn:
         raise Fault("it draws, although it wants no polygons", "leave wants_polygons as it is")

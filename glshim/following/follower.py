@@ -15,6 +15,7 @@ from ..assembly.immediate import POLYGON_MODES, QUADS
 from ..assembly.lists import Bare, Call, Change, Closing, Opening, Primitive
 from ..assembly.rectangles import rectangle
 from ..capture import forward
+from ..capture.lights import lighting
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
 from ..capture.state import DrawState, colour, normal
@@ -111,7 +112,7 @@ class Follower:
             self._now.read_list_base()
         if self._now is not None:
             self._colour = colour() if self._recorded(self._now).colours else b""
-            self._normal = normal() if self._wanted.normals else b""
+            self._normal = self._current_normal(self._now.drawing)
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -295,8 +296,7 @@ class Follower:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
-                current = normal() if self._wanted.normals else b""
-                scene.layer.add_primitive(state, QUADS, current + stream)
+                scene.layer.add_primitive(state, QUADS, self._current_normal(state) + stream)
         else:
             try:
                 if scene.lists.open is not None:
@@ -308,9 +308,17 @@ class Follower:
                 say_once(f"unstyled: {name}, because {reason}")
                 return
             if state is not None and batch is not None:
-                if self._wanted.normals and batch.normals is None:
-                    batch = normals.throughout(batch, normal())
+                current = self._current_normal(state) if batch.normals is None else b""
+                if current:
+                    batch = normals.throughout(batch, current)
                 scene.layer.add_batch(state, batch)
+
+    def _current_normal(self, state: DrawState | None) -> bytes:
+        """The record of the normal that holds where a draw says none, if wanted. A style that wants
+        lights takes it for none where nothing is lit: it is left over from something else."""
+        if not self._wanted.normals or state is None:
+            return b""
+        return b"" if self._wanted.lights and not state.camera.lit else normal()
 
     def _shape(
         self,
@@ -370,6 +378,8 @@ class Follower:
         if layer.carries(state):
             scene.drawing = state
             if not compiling:
+                if state.camera.lit and layer.lighting is None:
+                    layer.lighting = lighting()
                 self.studio.cover()
         elif state.obstacle:
             say_once(f"unstyled: polygons drawn while {state.obstacle}")

@@ -37,7 +37,7 @@ class Scene:
         self.unpainted = ""
         """Why the style that is on cannot be drawn here; empty when it can. Lists and buffers are
         followed all the same, for another one."""
-        self.reader = StateReader()
+        self.reader = StateReader(lighting=wanted.lights)
         self.layer = LayerCollector(wanted)
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
@@ -53,6 +53,7 @@ class Scene:
         """Batches shall come with something else from now on, in a layer that begins anew. Lists,
         buffers and shapes stay known."""
         self.unpainted = ""
+        self.reader = StateReader(lighting=wanted.lights)
         self.layer = LayerCollector(wanted)
         self.lists.wanted = wanted
 

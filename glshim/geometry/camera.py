@@ -34,6 +34,13 @@ class Camera:
     """Enabled user clip planes, in eye space."""
     stencil: tuple[int, int, int] | None = None
     """glStencilFunc's function, reference and mask, or None when the stencil test is off."""
+    lit: bool = False
+    """GL_LIGHTING was on. This, `gleams` and `textured` are read for stylers that want lights, and
+    are no part of the view."""
+    gleams: bool = False
+    """The front material had a specular colour."""
+    textured: bool = False
+    """GL_TEXTURE_2D was on in the active unit."""
 
     def affine(self) -> Camera:
         """An equal camera whose modelview is affine: an app that multiplies its perspective onto

@@ -191,7 +191,7 @@ def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Dou
 
 
 def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np.float32]:
-    """(L, 17) float32 records, eye space, of what `segments` finds: `glshim.geometry.lines`."""
+    """(L, 21) float32 records, eye space, of what `segments` finds: `glshim.geometry.lines`."""
     ends, rows = segments(triangles, beside, pairs)
     # In an order that the place alone decides: what came first makes no difference.
     turned = ends[:, 0] @ ASKEW < ends[:, 1] @ ASKEW

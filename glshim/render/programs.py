@@ -49,9 +49,12 @@ class Program:
 
 def compiled(name: str, vertex: str, fragment: str, attributes: Sequence[str] = ()) -> int:
     """The GL name of a program whose vertex attributes lie at their place in the sequence, from
-    GLSL texts. Raises `RenderError` with the driver's words when it does not link."""
+    GLSL texts; an empty one leaves its stage to the fixed function. Raises `RenderError` with the
+    driver's words when it does not link."""
     program = int(gl.glCreateProgram())
     for kind, text in ((_VERTEX, vertex), (_FRAGMENT, fragment)):
+        if not text:
+            continue
         shader = gl.glCreateShader(kind)
         source = text.encode("ascii")
         pointer, length = ctypes.c_char_p(source), ctypes.c_int(len(source))

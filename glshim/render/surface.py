@@ -1,4 +1,5 @@
-"""The base polygons in another surface than the app's: depth only, or one flat colour.
+"""The base polygons in another surface than the app's: depth only, one flat colour, or the app's
+own paints without its light.
 
 The app's own draw is made with colour writes off, or with a program whose vertices are exactly the
 fixed function's (``ftransform``), so its depth stays bit for bit the app's.
@@ -11,6 +12,7 @@ from importlib.resources import files
 
 from ..styling.protocol import Colour
 from .driver import current_context, gl
+from .paint import Paint
 from .programs import compiled
 
 _BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0
@@ -22,12 +24,13 @@ class Surface:
     def __init__(self) -> None:
         self._surface: str | Colour = "app"
         self._programs: dict[int, tuple[int, int]] = {}
+        self._paints: dict[int, Paint] = {}
         self._blend = self._alpha = False
         self._mask = (ctypes.c_int * 4)()
         self._covered = False
 
     def wear(self, surface: str | Colour) -> None:
-        """Another one from now on: ``"app"`` (nothing is covered), ``"none"`` or a colour."""
+        """Another one from now on: see `Styler.surface`; ``"app"`` covers nothing."""
         self.uncover()
         self._surface = surface
 
@@ -39,6 +42,9 @@ class Surface:
     def cover(self) -> None:
         """Before the app's draw, outside primitives; no program of the app's is in use."""
         if self._surface == "app" or self._covered:
+            return
+        if self._surface in ("paint", "colours"):
+            self._covered = self._paint().begin()
             return
         self._covered = True
         if isinstance(self._surface, str):
@@ -57,6 +63,9 @@ class Surface:
         if not self._covered:
             return
         self._covered = False
+        if self._surface in ("paint", "colours"):
+            self._paint().end()
+            return
         if isinstance(self._surface, str):
             gl.glColorMask(*(int(bool(m)) for m in self._mask))
             return
@@ -69,6 +78,14 @@ class Surface:
     def forget(self) -> None:
         """What was made in the current context is gone."""
         self._programs.pop(current_context(), None)
+        self._paints.pop(current_context(), None)
+
+    def _paint(self) -> Paint:
+        context = current_context()
+        found = self._paints.get(context)
+        if found is None:
+            found = self._paints[context] = Paint(textures=self._surface == "paint")
+        return found
 
     def _program(self) -> tuple[int, int]:
         context = current_context()

@@ -46,6 +46,8 @@ __all__ = [
 
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
 
+SURFACES = ("app", "none", "paint", "colours")
+"""Words of `Styler.surface`."""
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _KEY = "glshim.option"
 
@@ -288,9 +290,16 @@ class Styler:
         return False
 
     @property
+    def wants_lights(self) -> bool:
+        """Whether `Camera.lit`, `gleams` and `textured`, and `Layer.lighting` shall say how the
+        app lights its polygons."""
+        return False
+
+    @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), a colour.
-        It is the option ``fill`` of styles that have one."""
+        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), ``"paint"``
+        (the app's colours and textures without its light), ``"colours"`` (without its textures
+        and fog, too), a colour. It is the option ``fill`` of styles that have one."""
         fill: str | Colour = getattr(self, "fill", "app")
         return fill
 

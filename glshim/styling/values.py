@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
+from glshim.geometry.lights import Lighting
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
@@ -26,3 +27,7 @@ class Layer:
     """The depth buffer holds this layer's polygons alone."""
     time: float = 0.0
     """Seconds, from any beginning: what a style that moves by itself goes by."""
+    lighting: Lighting | None = None
+    """The lights that were on, with GL_LIGHTING, when the first lit polygons of the layer were
+    drawn: an app that moves them after that is seen in the light that it began with. None: nothing
+    was lit, or not asked for (`glshim.styling.protocol.Styler.wants_lights`)."""

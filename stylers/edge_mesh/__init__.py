@@ -95,6 +95,10 @@ class EdgeMesh(Styler):
     hidden: str = option(
         "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
     )
+    hidden_share: float = option(
+        1.0, help="share of the ink of hidden lines that are dashed or solid (strokes=chained)",
+        low=0.0, high=1.0,
+    )  # fmt: skip
     texture: str = options.texture("strokes")
     texture_length: float = options.texture_length("a stroke")
     parameters: str = option(
@@ -152,7 +156,9 @@ class EdgeMesh(Styler):
             "valley_turn": (cos(radians(self.valley_angle)), sin(radians(self.valley_angle))),
             "textured": float(image is not None),
             "tinted": tinted,
-            "hidden_share": {"none": 0.0, "dimmed": _DIMMED}.get(self.hidden, 1.0),
+            "hidden_share": {"none": 0.0, "dimmed": _DIMMED}.get(
+                self.hidden, self.hidden_share
+            ),
             "dashes": self._dashes(pattern),
         }
         for batch, camera in layer.items:

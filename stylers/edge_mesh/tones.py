@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 from importlib.resources import files
 
 import numpy as np
 
+from glshim.geometry.camera import Camera
 from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Layer, Uniform
@@ -67,7 +68,13 @@ def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> It
 
 
 def _whole(body: Body) -> Body:
-    return replace(body, camera=replace(body.camera, scissor=None, depth_range=(0.0, 1.0)))
+    return replace(body, camera=_unscissored(body.camera))
+
+
+@lru_cache(maxsize=64)
+def _unscissored(camera: Camera) -> Camera:
+    """A camera that sees all of its window: the same one again for the same camera."""
+    return replace(camera, scissor=None, depth_range=(0.0, 1.0))
 
 
 @cache

@@ -16,7 +16,7 @@ from typing import ClassVar
 from glshim.geometry.edge_mesh import BOUNDARY, CONTOUR
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from stylers.fins.lighting import Lighting, lit_passes
+from stylers.fins.lighting import Lighting, relit
 
 _HERE = files(__package__)
 _STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
@@ -105,7 +105,7 @@ class Fins(Styler):
         if self.fill in ("lit", "cel"):
             bands = round(self.bands) if self.fill == "cel" else 0
             look = Lighting(self.paint, self.shine, bands)
-            yield from lit_passes(found, layer.light, look, self.tolerance)
+            yield from relit(found, layer.light, look, self.tolerance)
         uniforms: dict[str, Uniform] = {
             "half_width": self.half_width,
             "overhang": self.overhang if self.joints == "overhang" else 0.0,

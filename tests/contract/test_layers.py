@@ -16,7 +16,7 @@ LONGEST = 420
 COMMON = ("glshim.errors", "glshim.notices", "glshim.caches", "glshim.spec")
 ROOMS = {
     "glshim/spec": (),
-    "glshim/capture": ("glshim.geometry.camera",),
+    "glshim/capture": ("glshim.geometry.camera", "glshim.geometry.lights"),
     "glshim/assembly": ("glshim.capture.state", "glshim.geometry"),
     "glshim/following": ("glshim.capture", "glshim.assembly"),
     "glshim/geometry": ("glshim.assembly.batch",),
@@ -26,7 +26,10 @@ ROOMS = {
     "stylers": ("glshim.styling", "glshim.assembly.batch", "glshim.geometry"),
 }
 # The one way in from start-up; it loads the composition when PyOpenGL comes.
-EXCEPTIONS = {("glshim/capture/startup.py", "glshim.session")}
+EXCEPTIONS = {
+    ("glshim/capture/startup.py", "glshim.session"),
+    ("glshim/capture/startup.py", "glshim.stillness"),
+}
 
 
 def imports(path: Path) -> Iterator[str]:

@@ -61,10 +61,10 @@ class Program:
 
     def saved(self, number: int = 11) -> tuple[str, np.ndarray]:
         """Press the key that saves: the name of the new file and its picture."""
-        before = set(self.folder.glob("*"))
+        before, lines = set(self.folder.glob("*")), len(self.lines("glshim: saved"))
         self.press(number)
         self.wait(lambda: len(set(self.folder.glob("*"))) > len(before), "a picture")
-        self.wait(lambda: len(self.lines("glshim: saved")) > len(before), "a line that says so")
+        self.wait(lambda: len(self.lines("glshim: saved")) > lines, "a line that says so")
         (path,) = set(self.folder.glob("*")) - before
         return path.name, np.array(Image.open(path))
 
@@ -159,3 +159,65 @@ def test_keys_do_what_they_say_and_the_program_does_not_get_them(
         assert keys, "the program's own key has not reached it"
         assert not [line for line in program.said if "Traceback" in line], program.said
         assert not program.lines("released")
+
+
+def test_a_key_that_the_user_names_goes_before_shortcuts_of_the_programs(
+    display: str, tmp_path: Path
+) -> None:
+    """One of Qt's shortcuts lies on F9, by its number, which no code names."""
+    with running("qt shortcut", display, tmp_path, GLSHIM_KEYS="on") as program:
+        program.press(9)
+        program.wait(lambda: bool(program.lines("key shortcut")), "shortcut")
+        assert program.saved()[0] == "glshim-keys_qt-none-001.png"
+        program.end()
+    named = {"GLSHIM_KEYS": "cycle=F9", "GLSHIM_STYLES": "raskar"}
+    with running("qt shortcut", display, tmp_path, **named) as program:
+        program.press(9)
+        assert program.saved()[0] == "glshim-keys_qt-raskar-001.png"
+        assert not program.lines("key")
+        program.end()
+
+
+@pytest.mark.parametrize("toolkit", ["glut", "glfw", "pygame", "qt"])
+def test_with_keys_on_and_none_pressed_the_program_is_as_it_was(
+    toolkit: str, display: str, tmp_path: Path
+) -> None:
+    """Its frames, to the byte, and what it says of the keys that are its own."""
+    seen = []
+    for keys in ("off", "on"):
+        folder = tmp_path / keys
+        folder.mkdir()
+        capture = str(folder / "%03d.png")
+        with running(toolkit, display, folder, GLSHIM_KEYS=keys, GLSHIM_CAPTURE=capture) as program:
+            program.press(8)
+            program.press(7)
+            program.end()
+            pictures = [np.array(Image.open(path)) for path in sorted(folder.glob("*.png"))]
+        assert len(pictures) > 0
+        assert all(np.array_equal(picture, pictures[0]) for picture in pictures)
+        seen.append((pictures[0].tobytes(), program.lines("key"), program.lines("glshim")))
+    assert seen[0] == seen[1]
+    assert seen[0][1][:2] == ["key F8", "key F7"]
+    assert seen[0][2] == []
+
+
+def test_what_cannot_be_used_is_said_in_a_line(display: str, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    bad = {"GLSHIM_KEYS": "cycle=F99", "GLSHIM_STYLE": "raskar"}
+    with running("glfw", display, tmp_path, **bad) as program:
+        program.press(9)
+        program.end()
+        assert program.lines("glshim") == [
+            "glshim: GLSHIM_KEYS: no key is called 'F99': did you mean F9?; no keys are watched"
+        ]
+        assert program.lines("key")[0] == "key F9"
+    full = {"GLSHIM_KEYS": "on", "GLSHIM_SAVE": str(tmp_path / "file")}
+    with running("glfw", display, tmp_path, **full) as program:
+        program.press(11)
+        program.wait(lambda: bool(program.lines("glshim: cannot save a picture in")), "line")
+        program.end()
+    wrong = {"GLSHIM_KEYS": "on", "GLSHIM_STYLE": "rascar", "GLSHIM_STYLES": "raskar"}
+    with running("glfw", display, tmp_path, **wrong) as program:
+        program.press(9)
+        assert program.saved()[0] == "glshim-keys_glfw-raskar-001.png"
+        program.end()

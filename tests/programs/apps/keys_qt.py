@@ -26,4 +26,5 @@ view.setGeometry(0, 0, 320, 240)
 if "shortcut" in sys.argv:
     QShortcut(QKeySequence(0x01000038), view, lambda: print("key shortcut", flush=True))
 view.show()
+view.activateWindow()  # no window manager does
 sys.exit(app.exec_())

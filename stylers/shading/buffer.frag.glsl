@@ -1,4 +1,5 @@
-// What:   the G-buffer: the normal in eye space, turned to the viewer, and the window depth.
+// What:   the G-buffer: the normal in eye space, turned to the viewer, of length 2 where the material
+//         gleams, else 1, and the window depth.
 // Inputs: the surface's place and normal in eye space; the app's clip planes.
 // Source: Rideout 2010, "The Spine Test". He keeps normals in 0..1; here they are floats.
 
@@ -6,6 +7,7 @@
 uniform vec4 clip_planes[CLIP_PLANES];
 #endif
 uniform vec4 viewpoint;
+uniform float gleams;  // 0 or 1
 
 in vec3 spot;
 in vec3 upright;
@@ -19,5 +21,5 @@ void main() {
     vec3 side = cross(dFdx(spot), dFdy(spot)), sight = viewpoint.xyz - viewpoint.w * spot;
     side *= dot(side, sight) < 0.0 ? -1.0 : 1.0;
     vec3 n = dot(upright, upright) > 0.0 ? normalize(upright) : normalize(side);
-    colour = vec4(dot(n, side) < 0.0 ? -n : n, gl_FragCoord.z);
+    colour = vec4((1.0 + gleams) * (dot(n, side) < 0.0 ? -n : n), gl_FragCoord.z);
 }

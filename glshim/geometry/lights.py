@@ -1,0 +1,95 @@
+"""The app's lights as plain values, and what falls from them on a surface.
+
+The OpenGL Specification, version 2.1, section 2.14.1 (Lighting).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Shade = tuple[float, float, float]
+"""Red, green, blue; lights may be brighter than 1."""
+
+
+@dataclass(frozen=True, slots=True)
+class Light:
+    """A GL_LIGHT that is on, as the driver holds it."""
+
+    position: tuple[float, float, float, float]
+    """Eye space, homogeneous: a direction towards it where w = 0."""
+    ambient: Shade = (0.0, 0.0, 0.0)
+    diffuse: Shade = (1.0, 1.0, 1.0)
+    specular: Shade = (1.0, 1.0, 1.0)
+    attenuation: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    """Constant, linear and quadratic; only where w is not 0."""
+    spot_direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
+    """Eye space."""
+    spot_cutoff: float = 180.0
+    """Degrees; 180: it shines all around."""
+    spot_exponent: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Lighting:
+    """All lights that are on, in the order of their numbers."""
+
+    lights: tuple[Light, ...] = ()
+    ambient: Shade = (0.2, 0.2, 0.2)
+    """GL_LIGHT_MODEL_AMBIENT."""
+
+
+def incoming(
+    lights: Sequence[Light], points: NDArray[np.float64], normals: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """(N, 3) the diffuse light that falls on points (N, 3) with unit normals (N, 3), eye space:
+    the sum over lights of attenuation, spot light effect, n . l and diffuse colour."""
+    found = np.zeros((len(points), 3))
+    for light in lights:
+        place = np.asarray(light.position)
+        way = place[:3] - place[3] * points
+        distance = np.linalg.norm(way, axis=1)
+        way = way / np.maximum(distance, 1e-30)[:, None]
+        share = np.ones(len(points))
+        if place[3] != 0.0:
+            constant, linear, quadratic = light.attenuation
+            reach = distance / abs(place[3])
+            share /= np.maximum(constant + linear * reach + quadratic * reach**2, 1e-30)
+        if light.spot_cutoff <= 90.0:
+            axis = np.asarray(light.spot_direction)
+            along = -way @ (axis / max(float(np.linalg.norm(axis)), 1e-30))
+            inside = along >= np.cos(np.radians(light.spot_cutoff))
+            share *= np.where(inside, np.maximum(along, 1e-30) ** light.spot_exponent, 0.0)
+        level = np.maximum((normals * way).sum(axis=1), 0.0)
+        found += (share * level)[:, None] * np.asarray(light.diffuse)
+    return found
+
+
+def banded(level: NDArray[np.float64], bands: int) -> NDArray[np.float64]:
+    """Brightness 0..1 in flat bands of equal width, the darkest 0 and the brightest 1.
+
+    A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR 2000,
+    section 3: hard shading, with more than their two shades."""
+    return np.minimum(np.floor(bands * np.clip(level, 0.0, 1.0)), bands - 1.0) / (bands - 1.0)
+
+
+def gooch(
+    paint: NDArray[np.float64],
+    toward: NDArray[np.float64],
+    *,
+    blue: float,
+    yellow: float,
+    alpha: float,
+    beta: float,
+) -> NDArray[np.float64]:
+    """(N, 3) cool-to-warm tones of paints (N, 3), by n . l (N,): warm towards the light.
+
+    A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
+    Technical Illustration", SIGGRAPH 1998, equations 1 to 4."""
+    cool = np.minimum(np.array((0.0, 0.0, blue)) + alpha * paint, 1.0)
+    warm = np.minimum(np.array((yellow, yellow, 0.0)) + beta * paint, 1.0)
+    share = ((1.0 + toward) / 2.0)[:, None]
+    return np.asarray(share * warm + (1.0 - share) * cool)

@@ -1,0 +1,63 @@
+// What:   flat bands of light over the app's paints, as on a cel: highlights and rims too.
+// Inputs: pixel.glsl, lamps.glsl (stylers/shading): the app's picture holds its paints, unlit.
+// Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
+//         2000, section 3; rims: P. Barla et al., "X-Toon", NPAR 2006, section 3.2 (a tone that
+//         depends on n . v). Numpy reference of the bands: glshim/geometry/lights.py.
+
+uniform float bands;
+uniform float exposure;     // of the light
+uniform float shadow;       // brightness of the darkest band
+uniform vec3 shadow_tint;
+uniform float highlight;    // brightness of highlights
+uniform float gloss;
+uniform float rim;          // brightness of rims
+uniform float saturation;   // 1: as the app has it
+uniform float paints;       // levels of the app's paint; 0: as it is
+
+const vec3 LUMA = vec3(0.2126, 0.7152, 0.0722);  // ITU-R BT.709
+const float RIM = 0.35;     // n . v below which a rim is
+
+float brightest(vec3 c) { return max(max(c.r, c.g), c.b); }
+
+// An edge at zero, smooth over a pixel.
+float edge(float value) { return smoothstep(-0.7, 0.7, value / max(fwidth(value), 1e-5)); }
+
+vec3 posterised(vec3 c) {
+    float value = brightest(c);
+    if (paints == 0.0 || value <= 0.0) return c;
+    return c * (max(floor(value * paints + 0.5), 0.5) / paints / value);
+}
+
+// Light in bands, 0..1, whose edges are smooth over a pixel.
+float banded(float light, bool crisp) {
+    float level = clamp(exposure * light, 0.0, 1.0);
+    float blur = crisp ? 0.0 : min(bands * fwidth(level), 0.5);
+    return min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
+}
+
+// The colour of the light, flat as its bands are: each lamp's, by its own band.
+vec3 hue(Pixel p) {
+    vec3 found = vec3(0.0);
+    for (int k = 0; k < lamps; ++k) {
+        Falling f = falling(k, p);
+        float bright = brightest(lamp_shade[k]);
+        float own = banded(f.share * max(dot(p.n, f.way), 0.0) * bright, p.crisp);
+        if (bright > 0.0) found += own * lamp_shade[k] / bright;
+    }
+    return brightest(found) > 0.0 ? found / brightest(found) : vec3(1.0);
+}
+
+void main() {
+    Pixel p = this_pixel();
+    float level = banded(brightest(incoming(p)), p.crisp);
+    vec3 lit = hue(p);
+    float shine = edge(brightest(gleaming(p, gloss)) - 0.5);
+    float outer = edge(RIM - dot(p.n, p.sight));
+    bool bent = is_bent(p);
+    if (!p.own) discard;
+    vec3 found = posterised(p.shown) * mix(shadow * shadow_tint, lit, level);
+    if (!p.gleams) shine = 0.0;
+    if (bent) found += highlight * shine + rim * outer * level * (1.0 - shine);
+    found = mix(vec3(dot(found, LUMA)), found, saturation);
+    colour = vec4(clamp(found, 0.0, 1.0), 1.0);
+}

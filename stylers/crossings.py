@@ -1,0 +1,24 @@
+"""Lines where polygons pass through each other, for styles whose own lines are of meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from glshim.styling.protocol import Colour, Draw, Layer
+from stylers.raskar import Raskar
+
+MANY = 20_000
+"""Polygons of a layer beyond which looking for crossings costs more than it shows."""
+
+
+def crossings(intersections: str, layer: Layer, width: float, ink: Colour) -> Iterable[Draw]:
+    """Those of style raskar; intersections: ``auto``, ``on`` or ``off``; width in pixels."""
+    if intersections == "off":
+        return ()
+    if intersections == "auto" and sum(batch.polygon_count for batch, _ in layer.items) > MANY:
+        return ()
+    lines = Raskar(
+        silhouettes=False, ridges=False, valleys=False, intersections=True,
+        intersection_width=width, ink=ink,
+    )  # fmt: skip
+    return lines.draws(layer)

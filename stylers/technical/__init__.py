@@ -1,0 +1,137 @@
+"""Style ``technical``: an illustration as in a manual, with tones from cool to warm and fine lines.
+
+A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
+Technical Illustration", SIGGRAPH 1998.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import ClassVar
+
+from glshim.geometry.lights import Light
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from stylers import options
+from stylers.crossings import crossings
+from stylers.edge_mesh import EdgeMesh
+from stylers.edge_mesh.tones import tone_passes
+from stylers.shading import (
+    NEAR_ENOUGH,
+    UPPER_LEFT,
+    by_light,
+    lamp_uniforms,
+    lenses,
+    lit_passes,
+    screen_shader,
+)
+
+_SHADER = screen_shader(
+    "gooch", (files(__package__) / "gooch.frag.glsl").read_text("utf-8"), bent=NEAR_ENOUGH
+)
+_WHITE: Colour = (1.0, 1.0, 1.0)
+
+
+@dataclass(frozen=True)
+class Technical(Styler):
+    """Cool-to-warm tones, wide outlines, fine creases, dashed hidden lines (Gooch et al. 1998)."""
+
+    name: ClassVar[str] = "technical"
+
+    blue: float = option(0.4, help="blue of the cool tone (the paper's b)", low=0.0, high=1.0)
+    yellow: float = option(
+        0.4, help="red and green of the warm tone (the paper's y)", low=0.0, high=1.0
+    )
+    alpha: float = option(0.2, help="share of the paint in the cool tone", low=0.0, high=1.0)
+    beta: float = option(0.6, help="share of the paint in the warm tone", low=0.0, high=1.0)
+    highlight: float = option(
+        0.4, help="brightness of highlights, where surfaces of shiny materials are bent",
+        low=0.0, high=1.0,
+    )  # fmt: skip
+    gloss: float = option(
+        30.0, help="exponent of highlights: greater is smaller", low=1.0, high=1000.0
+    )
+    light: str = option(
+        "fixed", help="where warm tones face: upper left of the viewer, or the app's first light",
+        choices=("fixed", "app"),
+    )  # fmt: skip
+    paint: str | Colour = option(  # noqa: RUF009
+        "app", help="what surfaces are painted with: the app's colours, or one",
+        choices=("app",), colour=True,
+    )  # fmt: skip
+    shade_unlit: str = options.shade_unlit()
+    textures: str = options.textures()
+    paper: str | Colour = options.paper(_WHITE)  # noqa: RUF009
+    outline_width: float = option(2.5, help="width of outlines", low=0.5, high=64.0, unit="px")
+    line_width: float = option(1.0, help="width of the other lines", low=0.5, high=64.0, unit="px")
+    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    white_edges: bool = option(
+        False, help="ridges that are seen in white, as light catches them, not in ink"
+    )
+    hidden: str = option(
+        "dashed", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
+    )
+    hidden_share: float = option(
+        0.4, help="share of the ink of hidden lines that are dashed or solid", low=0.0, high=1.0
+    )
+    crease_angle: float = options.crease_angle(40.0)
+    intersections: str = options.intersections()
+    tolerance: float = options.tolerance()
+
+    @property
+    def wants_normals(self) -> bool:
+        """Tones go by them."""
+        return True
+
+    @property
+    def wants_lights(self) -> bool:
+        """What the app does not light may keep its own picture."""
+        return True
+
+    @property
+    def surface(self) -> str | Colour:
+        """The app's paints, which tones are mixed with."""
+        return "paint" if self.textures == "app" else "colours"
+
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        """Tones, paper and lines."""
+        lit, unlit = by_light(layer, self.shade_unlit)
+        paint = (0.0, 0.0, 0.0, 0.0) if isinstance(self.paint, str) else (*self.paint, 1.0)
+        look: dict[str, Uniform] = {
+            "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
+            "beta": self.beta, "highlight": self.highlight, "gloss": self.gloss,
+        }  # fmt: skip
+        for lens in lenses(lit + unlit):
+            lamps = lamp_uniforms((self._lamp(layer),), lens)
+            yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
+        yield from tone_passes("app", self.paper, self.ink, layer)
+        for lines in (self._inner, self._outlines):
+            yield from lines.draws(layer)
+        yield from crossings(self.intersections, layer, self.line_width, self.ink)
+
+    def _lamp(self, layer: Layer) -> Light:
+        given = layer.lighting.lights if layer.lighting is not None else ()
+        return given[0] if given and self.light == "app" else UPPER_LEFT
+
+    @property
+    def _inner(self) -> EdgeMesh:
+        """Fine lines, which go on where they are hidden: of outlines, too."""
+        ridge = _WHITE if self.white_edges else self.ink
+        return EdgeMesh(
+            ridge_angle=180.0 - self.crease_angle, valley_angle=180.0 + self.crease_angle,
+            contour_width=self.line_width, boundary_width=self.line_width,
+            ridge_width=self.line_width, valley_width=self.line_width,
+            contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge, valley_ink=self.ink,
+            hidden=self.hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
+            contours=self.hidden != "none",
+        )  # fmt: skip
+
+    @property
+    def _outlines(self) -> EdgeMesh:
+        return EdgeMesh(
+            ridges=False, valleys=False, contour_width=self.outline_width,
+            boundary_width=self.outline_width, contour_ink=self.ink, boundary_ink=self.ink,
+            tolerance=self.tolerance,
+        )  # fmt: skip
