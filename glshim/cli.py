@@ -100,7 +100,9 @@ def _run(asked: argparse.Namespace) -> int:
 def _view(asked: argparse.Namespace) -> int:
     if asked.keys is None and keys.KEYS not in os.environ:
         asked.keys = "on"
-    return _launch(["-m", VIEWER, *([asked.model] if asked.model else [])], asked)
+    # Frames that are counted or written are to show the model, not that it is on its way.
+    wait = ["--wait"] if asked.frames is not None or asked.capture is not None else []
+    return _launch(["-m", VIEWER, *wait, *([asked.model] if asked.model else [])], asked)
 
 
 def _launch(program: list[str], asked: argparse.Namespace) -> int:

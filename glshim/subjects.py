@@ -53,7 +53,7 @@ def subject_of(asked: argparse.Namespace) -> Subject:
             raise EnvironmentFault(f"there is no model {name}")
         if importlib.util.find_spec(VIEWER.partition(".")[0]) is None:
             raise EnvironmentFault(f"models are shown by {VIEWER}, which is not installed")
-        return Subject(path.name, ("-m", VIEWER, name, *arguments))
+        return Subject(path.name, ("-m", VIEWER, "--wait", name, *arguments))
     if not path.exists():
         raise EnvironmentFault(
             f"there is no file {name}, and no built-in shape of that name: {', '.join(_shapes())}"

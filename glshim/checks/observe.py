@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from OpenGL import GL
 from OpenGL.platform import PLATFORM
 
-_bare = ctypes.CDLL(PLATFORM.GL._name)
+bare = ctypes.CDLL(PLATFORM.GL._name)
 _SKIPPED = ("_TOKEN", "NUM_EXTENSIONS", "PERFMON", "NVX", "MEMORY_INFO", "TIMESTAMP", "MEM_INFO")
-_queries: dict[int, str] = {}
+queries: dict[int, str] = {}
 
 
 class App:
@@ -34,9 +34,9 @@ class App:
         try:
             result = call(*args, **named)
         except Exception as error:
-            self.saw.append(f"{type(error).__name__}: {_steady(str(error))}")
+            self.saw.append(f"{type(error).__name__}: {steady(str(error))}")
             return None
-        self.saw.append(_steady(repr(result)))
+        self.saw.append(steady(repr(result)))
         return result
 
     def asks(self, *names: int) -> None:
@@ -54,7 +54,7 @@ class App:
         return value
 
 
-def _steady(text: str) -> str:
+def steady(text: str) -> str:
     """Without what differs between two runs of the same program."""
     text = re.sub(r"0x[0-9a-f]{5,}", "0x...", text)
     return re.sub(r"c_void_p\(\d+\)", "c_void_p(...)", text)
@@ -100,13 +100,13 @@ def observe(app: App, width: int, height: int) -> Outcome:
     picture = GL.glReadPixels(0, 0, width, height, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
     state = dump()
     depth = np.zeros((height, width), np.float32)
-    _bare.glReadPixels(0, 0, width, height, 0x1902, 0x1406, _at(depth))
+    bare.glReadPixels(0, 0, width, height, 0x1902, 0x1406, at(depth))
     return Outcome(
         app.saw, np.frombuffer(picture, np.uint8).reshape(height, width, 4), depth, state
     )
 
 
-def _at(array: NDArray[Any]) -> ctypes.c_void_p:
+def at(array: NDArray[Any]) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
 
 
@@ -121,22 +121,22 @@ def dump() -> dict[str, Any]:
 
 def _values() -> dict[str, Any]:
     out = np.zeros(64)
-    if not _queries:
+    if not queries:
         for name in dir(GL):
             token = getattr(GL, name)
             if not name.startswith("GL_") or not isinstance(token, int) or not 0 < token < 65536:
                 continue
             if any(part in name for part in _SKIPPED):
                 continue
-            _bare.glGetDoublev(int(token), _at(out))
-            if _bare.glGetError() == 0:
-                _queries[int(token)] = name
+            bare.glGetDoublev(int(token), at(out))
+            if bare.glGetError() == 0:
+                queries[int(token)] = name
     found = {}
-    for token, name in _queries.items():
+    for token, name in queries.items():
         out[:] = 0.0
-        _bare.glGetDoublev(token, _at(out))
+        bare.glGetDoublev(token, at(out))
         found[name] = tuple(np.trim_zeros(out, "b").tolist())
-    while _bare.glGetError():
+    while bare.glGetError():
         pass
     return found
 
@@ -148,7 +148,7 @@ def _vectors() -> dict[str, Any]:
 
     def ask(function: str, *args: int) -> None:
         out[:] = 0.0
-        getattr(_bare, function)(*args, _at(out))
+        getattr(bare, function)(*args, at(out))
         found[f"{function}{args}"] = tuple(out.tolist())
 
     for face in (0x0404, 0x0405):
@@ -165,12 +165,12 @@ def _vectors() -> dict[str, Any]:
     for index in range(1, 16):
         ask("glGetVertexAttribfv", index, 0x8626)
     active = ctypes.c_int()
-    _bare.glGetIntegerv(0x84E0, ctypes.byref(active))
+    bare.glGetIntegerv(0x84E0, ctypes.byref(active))
     for unit in range(8):
-        _bare.glActiveTexture(0x84C0 + unit)
+        bare.glActiveTexture(0x84C0 + unit)
         ask("glGetFloatv", 0x0B03)
         found[f"current texture coordinates {unit}"] = found.pop("glGetFloatv(2819,)")
-    _bare.glActiveTexture(active.value)
+    bare.glActiveTexture(active.value)
     return found
 
 
@@ -182,20 +182,20 @@ def _vertex_arrays() -> dict[str, Any]:
         return pointer.value if (pointer.value or 0) < 65536 else "memory"
 
     for name in (0x808E, 0x808F, 0x8090, 0x8091, 0x8092, 0x8093, 0x8456, 0x845D):
-        _bare.glGetPointerv(name, ctypes.byref(pointer))
+        bare.glGetPointerv(name, ctypes.byref(pointer))
         found[f"pointer {name:#x}"] = address()
     for index in range(16):
         for name in (0x8622, 0x8623, 0x8624, 0x8625, 0x886A, 0x889F):
-            _bare.glGetVertexAttribiv(index, name, ctypes.byref(value))
+            bare.glGetVertexAttribiv(index, name, ctypes.byref(value))
             found[f"attribute {index} {name:#x}"] = value.value
-        _bare.glGetVertexAttribPointerv(index, 0x8645, ctypes.byref(pointer))
+        bare.glGetVertexAttribPointerv(index, 0x8645, ctypes.byref(pointer))
         found[f"attribute {index} pointer"] = address()
     client = ctypes.c_int()
-    _bare.glGetIntegerv(0x84E1, ctypes.byref(client))
+    bare.glGetIntegerv(0x84E1, ctypes.byref(client))
     for unit in range(8):
-        _bare.glClientActiveTexture(0x84C0 + unit)
-        found[f"texture array {unit}"] = _bare.glIsEnabled(0x8078) & 255
-    _bare.glClientActiveTexture(client.value)
+        bare.glClientActiveTexture(0x84C0 + unit)
+        found[f"texture array {unit}"] = bare.glIsEnabled(0x8078) & 255
+    bare.glClientActiveTexture(client.value)
     return found
 
 
@@ -207,11 +207,11 @@ def _matrix_stacks() -> dict[str, Any]:
         ("projection", 0x1701, 0x0BA7, 0x0BA4),
         ("texture", 0x1702, 0x0BA8, 0x0BA5),
     ):
-        _bare.glMatrixMode(mode)
-        _bare.glGetIntegerv(level, ctypes.byref(depth))
+        bare.glMatrixMode(mode)
+        bare.glGetIntegerv(level, ctypes.byref(depth))
         for position in range(depth.value, 0, -1):
-            _bare.glGetDoublev(top, _at(matrix))
+            bare.glGetDoublev(top, at(matrix))
             found[f"{name} {position}"] = tuple(matrix.tolist())
             if position > 1:
-                _bare.glPopMatrix()
+                bare.glPopMatrix()
     return found

@@ -128,9 +128,10 @@ def _outcome(scene: scenes.Scene, styler: Styler | None) -> Outcome:
             found = observe(app, layers.SIDE, layers.SIDE)
             glfw.swap_buffers(handle)
     if "is switched off" in said.getvalue():
-        *_, place, _code, _marks, last = ["", "", "", *said.getvalue().splitlines()]
+        lines = [line.strip() for line in said.getvalue().splitlines()]
+        place = next((line for line in reversed(lines) if line.startswith("File ")), "")
         raise Fault(
-            f"{scene.__name__}: the style is switched off: {last} ({place.strip()})",
+            f"{scene.__name__}: the style is switched off: {lines[-1]} ({place})",
             "mend what raises",
         )
     return found

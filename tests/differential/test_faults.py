@@ -253,6 +253,7 @@ from OpenGL import GL
 for name in ("OpenGL.calltrace", "OpenGL.errors", "OpenGL.arrays"):
     logging.getLogger(name).addHandler(Keep())
     logging.getLogger(name).propagate = False
+from glshim.checks import observe
 from tests.differential import world
 from tests.differential.scenes_state import mesh, _texture
 import glshim
@@ -260,7 +261,7 @@ def tries(call, *args):
     try:
         print(call.__name__, repr(call(*args))[:300])
     except Exception as error:
-        print(call.__name__, type(error).__name__, world._steady(str(error))[:300])
+        print(call.__name__, type(error).__name__, observe.steady(str(error))[:300])
 with world.window():
     STYLE and not EARLY and glshim.install(STYLE)
     GL.glClear(0x4100)
@@ -284,8 +285,8 @@ with world.window():
         tries(GL.glCallList, 1)
         tries(GL.glGetFloatv, GL.GL_CURRENT_COLOR)
     pixels = np.zeros((72, 96, 4), np.uint8)
-    world._bare.glReadPixels(0, 0, 96, 72, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, world._at(pixels))
-    print(hash(pixels.tobytes()), world._bare.glGetError(), world._steady(str(log)))
+    observe.bare.glReadPixels(0, 0, 96, 72, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, observe.at(pixels))
+    print(hash(pixels.tobytes()), observe.bare.glGetError(), observe.steady(str(log)))
 tries(GL.glBegin, 4)
 tries(GL.glVertex3f, 1, 2, 3)
 tries(GL.glEnd)

@@ -14,7 +14,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim import options, pipeline
-from tests.differential import world
+from glshim.checks import observe
 from tests.differential.world import Outcome, run
 
 from .calls import Step, play
@@ -54,9 +54,9 @@ def _prepare() -> None:
 
     def queries() -> dict[int, str]:
         run(lambda app: None)
-        return world._queries
+        return observe.queries
 
-    world._queries.update(_forked(queries))
+    observe.queries.update(_forked(queries))
 
 
 def compare(program: list[Step], style: str, pictures: bool) -> dict[str, Any]:
