@@ -70,6 +70,15 @@ class Surface:
         if self._alpha:
             gl.glEnable(_ALPHA_TEST)
 
+    def release(self) -> None:
+        """Delete what was made in the current context. Outside glBegin/glEnd."""
+        context = current_context()
+        paint, flat = self._paints.pop(context, None), self._programs.pop(context, None)
+        if paint is not None:
+            paint.release()
+        if flat is not None:
+            gl.glDeleteProgram(flat[0])
+
     def forget(self) -> None:
         """What was made in the current context is gone."""
         self._programs.pop(current_context(), None)
