@@ -6,7 +6,7 @@ importing the package `glshim`.
 
 import os
 
-VARIABLES = ("GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE")
+VARIABLES = ("GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE", "GLSHIM_KEYS")
 
 
 def start() -> None:

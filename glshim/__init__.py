@@ -20,20 +20,52 @@ if TYPE_CHECKING:
         UnknownNameError,
     )
     from glshim.geometry.camera import Camera
+    from glshim.geometry.creases import Criterion
+    from glshim.geometry.feature_lines import Features
+    from glshim.geometry.lines import Choice
     from glshim.geometry.poses import Keyframes, Skin
     from glshim.options import parse_style
     from glshim.pipeline import install, uninstall
-    from glshim.styling.passes import Body, MeshShader, Pass, State, Stencil, bodies
-    from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, option
+    from glshim.styling.fixed import BackFaces
+    from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, Stencil, bodies
+    from glshim.styling.pictures import Image, read_image
+    from glshim.styling.protocol import (
+        Colour,
+        Draw,
+        Expansion,
+        Layer,
+        Option,
+        Shader,
+        Styler,
+        Uniform,
+        option,
+        options_of,
+    )
 
 _HOMES = {
     "glshim.pipeline": ("install", "uninstall"),
     "glshim.options": ("parse_style",),
     "glshim.assembly.batch": ("PolygonBatch",),
     "glshim.geometry.camera": ("Camera",),
+    "glshim.geometry.creases": ("Criterion",),
+    "glshim.geometry.feature_lines": ("Features",),
+    "glshim.geometry.lines": ("Choice",),
     "glshim.geometry.poses": ("Keyframes", "Skin"),
-    "glshim.styling.passes": ("Body", "MeshShader", "Pass", "State", "Stencil", "bodies"),
-    "glshim.styling.protocol": ("Colour", "Draw", "Layer", "Shader", "Styler", "option"),
+    "glshim.styling.fixed": ("BackFaces",),
+    "glshim.styling.passes": ("Body", "MeshShader", "Pass", "Sieve", "State", "Stencil", "bodies"),
+    "glshim.styling.pictures": ("Image", "read_image"),
+    "glshim.styling.protocol": (
+        "Colour",
+        "Draw",
+        "Expansion",
+        "Layer",
+        "Option",
+        "Shader",
+        "Styler",
+        "Uniform",
+        "option",
+        "options_of",
+    ),
     "glshim.errors": (
         "EnvironmentFault",
         "GlshimError",
@@ -46,29 +78,40 @@ _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
 __version__ = "0.1.0"
 __all__ = [
+    "BackFaces",
     "Body",
     "Camera",
+    "Choice",
     "Colour",
+    "Criterion",
     "Draw",
     "EnvironmentFault",
+    "Expansion",
+    "Features",
     "GlshimError",
+    "Image",
     "Keyframes",
     "Layer",
     "MeshShader",
+    "Option",
     "Pass",
     "PolygonBatch",
     "RenderError",
     "Shader",
+    "Sieve",
     "Skin",
     "State",
     "Stencil",
     "StyleError",
     "Styler",
+    "Uniform",
     "UnknownNameError",
     "bodies",
     "install",
     "option",
+    "options_of",
     "parse_style",
+    "read_image",
     "uninstall",
 ]
 

@@ -1,4 +1,4 @@
-"""The command line: ``glshim run|view|styles|doctor``, the same as ``python -m glshim``.
+"""The command line: ``glshim run|view|gallery|shot|styles ...``, or ``python -m glshim``.
 
 Exit status: the program's own under ``run`` and ``view``; 2 for a command that makes no sense (a
 style, a number, a screen that is not there), before any window opens.
@@ -7,13 +7,15 @@ style, a number, a screen that is not there), before any window opens.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
-from glshim import launch, options
+from glshim import keys, launch, options
 from glshim.errors import GlshimError
+from glshim.gallery import cli as gallery
 from glshim.notices import say
+from glshim.shots import cli as shots
 
 DEFAULT_STYLE = "raskar"
 VIEWER = "demo_apps.viewer"
@@ -42,6 +44,9 @@ def _parser() -> argparse.ArgumentParser:
         default=DEFAULT_STYLE,
         help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
     )
+    running.add_argument(
+        "--keys", metavar="KEYS", help="keys while it runs: on, off or ACTION=KEY,ACTION=KEY"
+    )
     running.add_argument("--frames", metavar="N", help="end with status 0 after N frames")
     running.add_argument(
         "--capture", metavar="OUT%03d.png", help="write each frame as presented, from number 1"
@@ -64,11 +69,19 @@ def _parser() -> argparse.ArgumentParser:
 
     view = commands.add_parser("view", parents=[running], help="look at a model, restyled")
     view.add_argument("model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape")
-    view.set_defaults(command=_view)
+    view.set_defaults(command=_view, keys="on")
+
+    gallery.add_command(commands)
+    shots.add_command(commands, DEFAULT_STYLE)
 
     styles = commands.add_parser("styles", help="list the styles and their options")
     styles.add_argument("names", nargs="*", metavar="NAME", help="only these")
     styles.set_defaults(command=_styles)
+
+    check = commands.add_parser("check-style", help="try a style against what all styles keep to")
+    check.add_argument("style", metavar="STYLE", help="a name, FILE.toml or my_style.py:MyStyle")
+    check.add_argument("--headless", action="store_true", help="draw on a virtual screen")
+    check.set_defaults(command=_check_style)
 
     doctor = commands.add_parser("doctor", help="say what is here and what will not work")
     doctor.add_argument("--headless", action="store_true", help="look at GL on a virtual screen")
@@ -95,8 +108,10 @@ def _launch(program: list[str], asked: argparse.Namespace) -> int:
 def variables_for(asked: argparse.Namespace) -> dict[str, str]:
     """The flags as the variables that the program's start reads, checked here and now."""
     options.parse_style(asked.style)
-    is_file = asked.style.endswith(".toml")
-    variables = {options.STYLE: str(Path(asked.style).absolute()) if is_file else asked.style}
+    variables = {options.STYLE: options.anchored(asked.style, os.getcwd())}
+    if asked.keys is not None:
+        keys.parse_keys(asked.keys)
+        variables[keys.KEYS] = asked.keys
     if asked.frames is not None:
         variables[options.FRAMES] = str(options.parse_frames(asked.frames))
     if asked.capture is not None:
@@ -112,6 +127,12 @@ def _styles(asked: argparse.Namespace) -> int:
         is_look = name in looks()
         print(options.describe_look(name) if is_look else options.describe(registry.load(name)))
     return 0
+
+
+def _check_style(asked: argparse.Namespace) -> int:
+    from glshim.checks.command import check_style
+
+    return check_style(asked.style, headless=asked.headless)
 
 
 def _doctor(asked: argparse.Namespace) -> int:

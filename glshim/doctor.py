@@ -15,7 +15,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from statistics import median
 
-from glshim import __version__, launch, options
+from glshim import __version__, keys, launch, options
 from glshim.capture.toolkits import TOOLKITS
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.headless import virtual_screen
@@ -24,7 +24,7 @@ from glshim.spec.context import MODERN, UNAVAILABLE
 from glshim.styling import registry
 
 _PROBE_SECONDS = 60
-_VARIABLES = (options.STYLE, options.FRAMES, options.CAPTURE)
+_VARIABLES = (options.STYLE, options.FRAMES, options.CAPTURE, keys.KEYS)
 
 _PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pillow", "trimesh")
 _LIBRARIES = {
@@ -87,7 +87,7 @@ def _environment(troubles: list[str]) -> None:
     for name in (*_VARIABLES, "DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM"):
         if name in os.environ:
             _row(name, os.environ[name])
-    troubles.extend(complaints)
+    troubles.extend((*complaints, *keys.read_environment(os.environ)[1]))
     if settings.style is not None:
         try:
             options.parse_style(settings.style)

@@ -28,3 +28,9 @@ def say_fault(what: str, error: BaseException) -> None:
     if what not in _said:
         _said.add(what)
         say(what + "\n" + "".join(traceback.format_exception(error)).rstrip())
+
+
+def forget(beginning: str) -> None:
+    """Say again what begins so, when it happens again."""
+    for line in [line for line in _said if line.startswith(beginning)]:
+        _said.discard(line)

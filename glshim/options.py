@@ -4,121 +4,138 @@ from __future__ import annotations
 
 import os
 import re
-import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, UnknownNameError, nearest
-from glshim.styling import registry
-from glshim.styling.protocol import Option, Styler, options_of
+from glshim.errors import StyleError, UnknownNameError
+from glshim.stylefiles import EXTENDS, StyleFileError, find, read_style_file, unknown
+from glshim.styling import fromfile, registry
+from glshim.styling.protocol import Styler, options_of
 from stylers.looks import looks
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
 STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
-NAME_KEY = "style"
-"""The key of a style file that names the style."""
+FILE = ".toml"
 
-
-def parse_style(text: str, folder: str = "") -> Styler:
-    """``name``, ``name:key=value,key=value`` or the path of a TOML file with the same keys. A name
+def parse_style(
+    text: str, folder: str = "", files: list[Path] | None = None, chain: tuple[Path, ...] = ()
+) -> Styler:
+    """A name, the path of a style file (TOML), or a class in a Python file, the first and the last
+    with options after it: ``name:key=value,key=value``, ``my_style.py:MyStyle:key=value``. A name
     is a style's, or a look's: that of a style file that comes with glshim. Paths in a text are
     taken from the folder, those in a file from where that lies.
 
+    files: gets every file that the style depends on, also those of a text that does not hold up.
+    chain: the style files that extend this text, the outermost first.
     Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
     """
     text = text.strip()
+    files = [] if files is None else files
     if not text.isprintable():
         raise StyleError(f"{text!r} is no style: it holds characters that are not printable")
-    if text.endswith(".toml"):
-        return load_style(Path(folder, text))
-    name, _, assignments = text.partition(":")
-    look = looks().get(name.strip())
-    styler = load_style(look) if look else _load(name.strip())()
+    if text.endswith(FILE):
+        return load_style(Path(folder, text), files, chain)
+    if fromfile.is_named_in(text):
+        path, name, assignments = fromfile.split(text)
+        styler = _load(f"{path}:{name}", folder, files)()
+    else:
+        name, _, assignments = text.partition(":")
+        look = looks().get(name.strip())
+        styler = load_style(look, files, chain) if look else _load(name.strip(), folder, files)()
     pieces = (piece for piece in assignments.split(",") if piece.strip())
-    return replace(styler, **dict(_parsed(type(styler), piece, folder) for piece in pieces))
+    return _made(styler, dict(_parsed(type(styler), piece, folder) for piece in pieces))
 
 
-def load_style(path: Path) -> Styler:
-    """A style file: ``style = "raskar"`` and a line for every option that is not its default.
+def load_style(
+    path: Path, files: list[Path] | None = None, chain: tuple[Path, ...] = ()
+) -> Styler:
+    """A style file: ``style = "raskar"``, or ``extends`` and any style text, and a line for every
+    option that is not what it is there.
 
     Raises `StyleError` naming the file, and the line where there is one.
     """
+    files = [] if files is None else files
+    files.append(path)
+    file = read_style_file(path)
+    key, name = file.base
+    if key == EXTENDS:
+        chain = (*chain, path)
+        if any(_same(Path(file.folder, name), each) for each in chain):
+            raise file.fault((key,), f"extends {name}, which extends this file: a circle")
+        try:
+            base = parse_style(name, file.folder, files, chain)
+        except StyleFileError as error:
+            raise StyleFileError(f"{error} (extended by {path}:{file.line((key,))})") from error
+        except StyleError as error:
+            raise file.fault((key,), str(error)) from error
+    else:
+        try:
+            base = _load(name, file.folder, files)()
+        except StyleError as error:
+            raise file.fault((key,), str(error)) from error
     try:
-        content = path.read_text(encoding="utf-8")
-    except (OSError, ValueError) as error:  # ValueError: bytes that are no UTF-8, or no path
-        reason = getattr(error, "strerror", None) or error
-        raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
+        return _made(base, file.options(type(base)))
+    except StyleFileError:
+        raise
+    except StyleError as error:  # values that are fine alone
+        raise StyleFileError(f"{path}: {error}") from error
+
+
+def anchored(text: str, folder: str) -> str:
+    """A style text whose path, if it begins with one, is taken from the folder."""
+    return os.path.join(folder, text) if is_path(text) else text
+
+
+def is_path(text: str) -> bool:
+    """Whether a style text is a style file, or begins with a Python file."""
+    return text.endswith(FILE) or fromfile.is_named_in(text)
+
+
+def _same(one: Path, other: Path) -> bool:
+    return os.path.realpath(one) == os.path.realpath(other)
+
+
+def _made(styler: Styler, values: Mapping[str, Any]) -> Styler:
     try:
-        table = tomllib.loads(content)
-    except tomllib.TOMLDecodeError as error:
-        raise StyleError(f"{path}: {error}") from error
-    name = table.pop(NAME_KEY, None)
-    if not isinstance(name, str):
-        raise StyleError(f'{path}: a style file names its style: {NAME_KEY} = "raskar"')
-    key = NAME_KEY
-    try:
-        styler = _load(name)
-        values = {}
-        for key, value in table.items():
-            option = _option(styler, key)
-            # A file may write a switch as the command line does.
-            words = isinstance(value, str) and option.kind == "switch"
-            values[key] = option.parse(value) if words else option.check(value, str(path.parent))
-        key = ""
-        return styler(**values)
-    except StyleError as error:
-        line = " ".join(str(error).splitlines())  # the file's texts may hold line ends
-        raise StyleError(f"{path}{_line_of(key, content)}: {line}") from error
+        return replace(styler, **values)
+    except StyleError:
+        raise
+    except Exception as error:  # the constructor of somebody's styler
+        line = " ".join(str(error).splitlines())
+        raise StyleError(
+            f"style {styler.name!r} does not take these options: {type(error).__name__}: {line}"
+        ) from error
 
 
-def _line_of(key: str, content: str) -> str:
-    for number, line in enumerate(content.splitlines(), start=1):
-        if key and re.match(rf"""\s*(["']?){re.escape(key)}\1\s*=""", line):
-            return f":{number}"
-    return ""
-
-
-def _load(name: str) -> type[Styler]:
+def _load(name: str, folder: str, files: list[Path]) -> type[Styler]:
+    """A class by its name, or by that of a Python file and its own."""
+    if fromfile.is_named_in(name):
+        path, word, assignments = fromfile.split(name)
+        whole = Path(folder, path)
+        files.extend(fromfile.watched(whole))
+        if assignments:
+            raise StyleError(f"{name}: the options have lines of their own in a style file")
+        return fromfile.load(whole, word)
     try:
         return registry.load(name)
     except UnknownNameError as error:
+        if name in looks():
+            raise StyleError(f'{name} is a look: write {EXTENDS} = "{name}"') from error
         if os.path.isfile(name):  # (never raises, unlike Path's)
             raise StyleError(
                 f"{name} is a file: a style file is given alone, as NAME.toml"
             ) from error
         known = (*registry.names(), *looks())
-        raise _unknown(f"no style is called {name!r}", name, known) from error
+        raise unknown(f"no style is called {name!r}", name, known) from error
 
 
 def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:
     key, equals, value = (part.strip() for part in piece.partition("="))
-    option = _option(styler, key)
+    option = find(styler, (key,))
     if not equals:
         raise StyleError(f"{key} has no value: write {key}={option.show(option.default)}")
     return key, option.parse(value, folder)
-
-
-def _option(styler: type[Styler], key: str) -> Option:
-    options = {option.name: option for option in options_of(styler)}
-    if key not in options:
-        raise _unknown(f"style {styler.name!r} has no option {key!r}", key, options)
-    return options[key]
-
-
-def _unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
-    known = tuple(known)
-    near = nearest(name, known)
-    if near:
-        hint = f"did you mean {' or '.join(near)}?"
-    else:
-        hint = f"there are {', '.join(known)}" if known else "it has none"
-    return UnknownNameError(f"{what}: {hint}", near)
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +189,7 @@ def read_environment(
 
     style = environ.get(STYLE, "").strip()
     settings = Settings(
-        style=(os.path.join(folder, style) if style.endswith(".toml") else style) or None,
+        style=anchored(style, folder) or None,
         frames=read(FRAMES, parse_frames, "the program runs on without an end"),
         capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 from .assembly.batch import Wanted
@@ -26,24 +27,81 @@ from .styling.protocol import BackFaces, Layer, Styler
 _DOUBLE_BUFFER = 0x0C32
 
 
-class Pipeline:
-    """Follows the app's draws and adds a styler's at the end of each layer."""
+def _asked() -> bool:
+    return bool(integer(_DOUBLE_BUFFER))
 
-    def __init__(self, styler: Styler) -> None:
-        self.styler = styler
-        self._surface = Surface(styler.surface)
-        wanted = Wanted(colours=styler.wants_colours, normals=styler.wants_normals,
-                        lights=styler.wants_lights)  # fmt: skip
-        self._follower = Follower(self, wanted)
+
+is_double_buffered: Callable[[], bool] = _asked
+"""Whether the window that is drawn to is; a shot draws elsewhere and knows."""
+
+
+@dataclass(slots=True)
+class Counted:
+    """What one frame was made of."""
+
+    polygons: int = 0
+    """Of the app's, that carry lines."""
+    draws: int = 0
+    """Of the styler's."""
+
+
+class Pipeline:
+    """Follows the app's draws and adds a styler's at the end of each layer.
+
+    Following outlives a style: display lists and buffers that were made under one, or under none,
+    are known to the next.
+    """
+
+    def __init__(self) -> None:
+        self.styler: Styler | None = None
+        """Whose draws are added; None: nobody's, and every frame is the app's own."""
+        self.live = False
+        """Whether another style may come: a fault ends the one that it befell, not the following.
+        """
+        self.counted = Counted()
+        """The frame so far; whole when its listeners of a higher rank are called."""
+        self._surface = Surface()
+        self._follower = Follower(self)
         self._broken = False
+        self._next: tuple[Styler | None] | None = None
 
     # -- life ------------------------------------------------------------------------------------
+
+    @property
+    def broken(self) -> bool:
+        """Following has ended, by a fault."""
+        return self._broken
 
     def start(self) -> None:
         """Follow from now on."""
         WATCH.attach(self._follower)
         C_LIBRARIES.attach(self._follower)
-        frames.install(self._follower.finish_frame)
+        frames.install(self._follower.finish_frame, self._frame_over)
+
+    def wear(self, styler: Styler | None) -> None:
+        """Draw in this style from now on; what is pending is dropped."""
+        self._next = None
+        if styler is not None and not styler.wants_polygons:
+            styler = None
+        self.styler = styler
+        self._surface.wear(styler.surface if styler is not None else "app")
+        self._follower.restyle(
+            Wanted(
+                colours=styler.wants_colours, normals=styler.wants_normals,
+                lights=styler.wants_lights,
+            )
+            if styler is not None else None
+        )
+
+    def wear_next(self, styler: Styler | None) -> None:
+        """From the next frame on. Calls no GL: any thread may say so at any time."""
+        self._next = (styler,)
+
+    def _frame_over(self) -> None:
+        """A frame was presented."""
+        self.counted = Counted()
+        if self._next is not None:
+            self.wear(*self._next)
 
     def stop(self) -> None:
         """Follow no more; what is pending is dropped."""
@@ -60,8 +118,12 @@ class Pipeline:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""
         if not self._broken:
             self._broken = True
-            say_fault(f"style {self.styler.name!r} is switched off, the program runs on", error)
+            say_fault(f"style {self._name!r} is switched off, the program runs on", error)
             self.stop()
+
+    @property
+    def _name(self) -> str:
+        return self.styler.name if self.styler is not None else "none"
 
     # -- flow: what the follower hands on --------------------------------------------------------
 
@@ -83,10 +145,21 @@ class Pipeline:
         """A layer's depth is final: the styler says what to add, the backend adds it."""
         over, fresh, lighting = scene.layer.over, scene.layer.fresh, scene.layer.lighting
         items = scene.layer.take()
-        if not items:
+        if not items or self.styler is None:
             return
-        now = time.monotonic()
-        draws = list(self.styler.draws(Layer(items, light(), over, fresh, now, lighting)))
+        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting)
+        try:
+            self._add(self.styler, layer, scene)
+        except Exception as error:
+            if not self.live:
+                raise
+            say_fault(f"style {self._name!r} fails and is switched off: {error!r}", error)
+            self.wear(None)
+
+    def _add(self, styler: Styler, layer: Layer, scene: Scene) -> None:
+        draws = list(styler.draws(layer))
+        self.counted.polygons += sum(batch.polygon_count for batch, _ in layer.items)
+        self.counted.draws += len(draws)
         if not draws:
             return
         try:
@@ -98,12 +171,12 @@ class Pipeline:
             if others:
                 _backend(scene).render(others)
         except RenderError as error:
-            scene.refused = str(error)
+            scene.unpainted = str(error)
             say_unstyled(str(error))
 
     def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        if scene is None or scene.refused or integer(_DOUBLE_BUFFER):
+        if scene is None or scene.refused or scene.unpainted or is_double_buffered():
             return call()
         return frames.present(call)
 
@@ -127,10 +200,12 @@ def _backend(scene: Scene) -> Backend:
     return backend
 
 
-def install(style: str | Styler) -> None:
+def install(style: str | Styler, *, live: bool = False) -> None:
     """Restyle this process's OpenGL from now on, in a style given as text or as a styler.
 
-    May be called before or after the app has imported PyOpenGL, and again with another style.
+    May be called before or after the app has imported PyOpenGL, and again with another style, which
+    knows the display lists and buffers that the first one saw made. live: they are followed even
+    while the style draws nothing, for one that comes later, by `switch` or by another call.
     Raises StyleError for a text that names no style; nothing is installed then.
     """
     global _current
@@ -138,17 +213,44 @@ def install(style: str | Styler) -> None:
         from .options import parse_style
 
         style = parse_style(style)
-    if _current is not None:
-        _current.stop()
-        _current.release()
-        _current = None
     if not RAW.installed:
         RAW.install()
         RECORDER.install()
         WATCH.install()
-    if style.wants_polygons:
-        _current = Pipeline(style)
+    if _current is None or _current.broken:
+        if not style.wants_polygons and not live:
+            return
+        _current = Pipeline()
         _current.start()
+    _current.live = _current.live or live
+    _current.wear(style)
+
+
+def switch(styler: Styler | None) -> None:
+    """Draw in another style from the next frame on, or (None) leave the app's picture as it is.
+
+    Any thread may call it at any time; the last call before a frame ends counts. What lists and
+    buffers hold is known from :func:`install` with ``live=True`` on, which comes first: without it,
+    or after a fault that ended the following, nothing happens.
+    """
+    if _current is not None:
+        _current.wear_next(styler)
+
+
+def current() -> Styler | None:
+    """The style that draws now, None where none does."""
+    return _current.styler if _current is not None and not _current.broken else None
+
+
+def counted() -> Counted:
+    """What the frame that ends now is made of: for listeners of frame ends, of rank 1 or more."""
+    return _current.counted if _current is not None else Counted()
+
+
+def revise(change: Callable[[Styler], Styler]) -> None:
+    """Draw from now on as a styler of the same class that is made of the current one."""
+    if _current is not None and _current.styler is not None:
+        _current.styler = change(_current.styler)
 
 
 def uninstall() -> None:

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import os
 
-from glshim import options
+from glshim import keys, options, stillness
 from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
+from glshim.reload import Reloader
+from glshim.styling.protocol import Styler
 
-LOOKS_AT_THE_PICTURE, COUNTS = 1, 2
+SHOT = "GLSHIM_SHOT"
+"""`glshim.shots.plan.VARIABLE`, which is not loaded but then."""
+LOOKS_AT_THE_PICTURE, DRAWS_OVER_IT, COUNTS = 1, 2, 3
 """Ranks of the listeners to frame ends; the pipeline draws at 0."""
+NO_STYLE = "none"
 
 
 def begin(folder: str) -> None:
@@ -19,29 +24,71 @@ def begin(folder: str) -> None:
     settings, complaints = options.read_environment(os.environ, folder)
     for complaint in complaints:
         say(complaint)
-    if settings.style is not None:
-        _install(settings.style, folder)
+    wishes, complaints = keys.read_environment(os.environ, folder)
+    for complaint in complaints:
+        say(complaint)
+    shot = None
+    if SHOT in os.environ:
+        from glshim.shots.plan import Plan
+        from glshim.shots.shooter import Shot
+
+        shot = Shot(Plan.of_text(os.environ[SHOT]))
+        shot.prepare()
+    if settings.style is not None or wishes is not None:
+        _install(settings.style or NO_STYLE, folder, live=wishes is not None)
+    if shot is not None:
+        shot.begin()
     if settings.capture is not None:
         from glshim.render.framegrab import FrameWriter
 
         writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
+    if wishes is not None:
+        _watch_keys(wishes, settings.style, folder)
+    if stillness.VARIABLE in os.environ:
+        stillness.count_frames()
     if settings.frames is not None:
         FrameLimit(settings.frames).install()
 
 
-def _install(style: str, folder: str) -> None:
+def _install(style: str, folder: str, *, live: bool) -> None:
+    reloader = Reloader(style, folder, _switch)
+    # A file is followed from the start: a style that is saved later knows what was drawn before.
+    live = live or reloader.watches
     try:
-        styler = options.parse_style(style, folder)
+        styler = reloader.begin()
     except GlshimError as error:
         say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
-        return
+        if not live:
+            return
+        styler = options.parse_style(NO_STYLE)
     try:
         from glshim import pipeline
 
-        pipeline.install(styler)
+        pipeline.install(styler, live=live)
     except Exception as error:  # the frames asked for still come, and the end
         say_fault("cannot install the style, the program runs unstyled", error)
+    else:
+        reloader.install()
+
+
+def _switch(styler: Styler) -> None:
+    from glshim import pipeline
+
+    pipeline.switch(styler)
+
+
+def _watch_keys(wishes: keys.LiveSettings, style: str | None, folder: str) -> None:
+    try:
+        from glshim.capture import keyboard, keyboards
+        from glshim.live import Controls
+
+        controls = Controls(wishes, style, folder)
+        keyboards.watch()
+        keyboard.listen(controls)
+        frames.install(controls.frame_ends, rank=DRAWS_OVER_IT)
+    except Exception as error:
+        say_fault("cannot watch the keys, the program runs on without them", error)
 
 
 class FrameLimit:

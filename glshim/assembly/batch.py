@@ -23,6 +23,8 @@ class Wanted:
 
 POSITIONS = Wanted()
 """Nothing beside them."""
+WHOLE = Wanted(colours=True, normals=True)
+"""All there is: what a display list is recorded with, for any style may be on when it is called."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

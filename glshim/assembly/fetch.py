@@ -17,7 +17,7 @@ from ..spec.context import restarts_primitives
 from ..spec.draws import DRAWS, Signature
 from ..spec.driver import current_context, gl
 from . import normals
-from .batch import POSITIONS, PolygonBatch, Wanted
+from .batch import PolygonBatch, Wanted
 from .immediate import POLYGON_MODES, concatenate, polygon_corners
 
 _DTYPES = {
@@ -49,9 +49,7 @@ class _Pointer:
 class VertexFetch:
     """Reads draws; what comes from unchanged buffers is assembled once."""
 
-    def __init__(self, wanted: Wanted = POSITIONS) -> None:
-        """wanted: what batches shall come with; normals as far as they are in an array."""
-        self._wanted = wanted
+    def __init__(self) -> None:
         self._versions: dict[int, int] = {}
         self._epoch = next(_EPOCHS)
         self._kept: AgingCache[PolygonBatch] = AgingCache()
@@ -67,15 +65,16 @@ class VertexFetch:
             return
         self._versions[buffer] = self._versions.get(buffer, 0) + 1
 
-    def batch(self, name: str, args: Sequence[Any]) -> PolygonBatch | None:
-        """Polygons of an ARRAY_DRAW call; None when it draws none. Raises Unfetchable."""
+    def batch(self, name: str, args: Sequence[Any], wanted: Wanted) -> PolygonBatch | None:
+        """Polygons of an ARRAY_DRAW call, with what is wanted as far as it is in an array; None
+        when it draws none. Raises Unfetchable."""
         signature = DRAWS[name.removesuffix("EXT")]
         values = dict(zip(signature.parameters, args, strict=False))
         mode = int(values["mode"])
         if mode not in POLYGON_MODES:
             return None
         pointer = _vertex_pointer()
-        normal = _normal_pointer() if self._wanted.normals else None
+        normal = _normal_pointer() if wanted.normals else None
         key = self._key(signature, values, pointer, normal)
         kept = self._kept.get(key) if key is not None else None
         if kept is not None:
@@ -98,8 +97,8 @@ class VertexFetch:
         return float(x), float(y), float(z)
 
     def element_normal(self, index: int) -> bytes:
-        """The record of its normal; empty if none is wanted, or in an array."""
-        normal = _normal_pointer() if self._wanted.normals else None
+        """The record of its normal; empty if none is in an array."""
+        normal = _normal_pointer()
         return b"" if normal is None else normals.record(_normals(normal, index, 1)[0])
 
     def _version(self, buffer: int) -> tuple[int, int, int]:

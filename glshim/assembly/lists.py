@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import Any
 
@@ -111,10 +111,10 @@ class ListBook:
     """The lists of one share group."""
 
     def __init__(self, wanted: Wanted = POSITIONS) -> None:
-        """wanted: what batches shall come with."""
-        self._wanted = wanted
+        self.wanted = wanted
+        """What batches shall come with; may change between calls of lists."""
         self._programs: dict[int, Program] = {}
-        self._resolved: dict[tuple[int, int], tuple[ListPolygons, frozenset[int]]] = {}
+        self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
         self._open: tuple[int, Program] | None = None
 
     @property
@@ -201,7 +201,7 @@ class ListBook:
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         """What calling this list draws, with keys so that caches find it again."""
-        at = (name, matrix_mode)
+        at = (name, matrix_mode, self.wanted)
         known = self._resolved.get(at)
         if known is None:
             found = self._resolve(name, matrix_mode, shapes, context)
@@ -212,7 +212,7 @@ class ListBook:
         self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
     ) -> ListPolygons:
         key = ("list", context, name, next(_serial))
-        walk = _Walk(matrix_mode, shapes, self._wanted)
+        walk = _Walk(matrix_mode, shapes, self.wanted)
         walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]
         absolute = tuple(
@@ -274,7 +274,9 @@ class _Walk:
     def _draw(self, batch: PolygonBatch) -> None:
         """Arrays: without normals of their own they have the one that holds; with some, that is
         undefined afterwards (OpenGL 2.1, section 2.8)."""
-        if batch.normals is None and self._normal:
+        if not self._wanted.normals:
+            batch = replace(batch, normals=None)
+        elif batch.normals is None:
             batch = normals.throughout(batch, self._normal)
         elif batch.normals is not None:
             self._forget()

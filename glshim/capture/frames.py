@@ -62,7 +62,7 @@ def install(
     rank: int = 0,
 ) -> None:
     """Listen to frame ends. Listeners of a lower rank come first: 0 draws, 1 looks at the picture,
-    2 counts. Installing the same ``before_present`` again replaces it."""
+    2 draws over it, 3 counts. Installing the same ``before_present`` again replaces it."""
     global _listeners
     uninstall(before_present)
     listener = _Listener(before_present, after_present, rank)

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import functools
 import inspect
+import weakref
 from collections.abc import Callable
+from contextlib import suppress
 from types import FunctionType, ModuleType
 from typing import Any
 
@@ -13,6 +15,17 @@ from glshim.capture import frames
 from glshim.capture.frames import Size, Surface
 
 _painting = False
+_painted_widgets: weakref.WeakSet[Any] = weakref.WeakSet()
+"""What has painted or swapped, and may be asked to do so again."""
+
+
+def update_widgets() -> None:
+    """Have every widget or window that has painted do so again."""
+    for widget in list(_painted_widgets):
+        ask = getattr(widget, "update", None) or getattr(widget, "requestUpdate", None)
+        with suppress(Exception):  # its C++ half may be gone
+            if ask is not None:
+                ask()
 
 
 def hook_painting(*names: str) -> Callable[[ModuleType], None]:
@@ -91,6 +104,9 @@ def _swapping(plain: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _surface(widget: Any, *_: Any) -> Surface:
+    with suppress(TypeError):  # not all that swaps can be referred to weakly
+        _painted_widgets.add(widget)
+
     def size() -> Size:
         ratio = widget.devicePixelRatio()
         return round(widget.width() * ratio), round(widget.height() * ratio)

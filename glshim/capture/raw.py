@@ -57,6 +57,8 @@ class RawLayer:
         self._wrapper_makers: dict[str, Maker] = {}
         self.matchers: list[Callable[[str], Maker | None]] = []
         self._undo: list[Callable[[], None]] = []
+        self.ground: Callable[[str], Maker | None] = lambda name: None
+        """What changes calls below every hook, for names loaded from now on: a shot's."""
 
     @property
     def installed(self) -> bool:
@@ -105,7 +107,12 @@ class RawLayer:
     def _adopt(self, cls: type) -> None:
         call = vars(cls)["__call__"]
         original = call.__func__ if isinstance(call, staticmethod) else call
+        below = self.ground(cls.__name__)
+        if below is not None:
+            original = below(original)
         slot = _Slot(cls, original, static=True)
+        if below is not None:
+            slot.put(None)
         self._raw.setdefault(cls.__name__, []).append(slot)
         maker = self._raw_maker(cls.__name__)
         if maker is not None:
@@ -207,10 +214,22 @@ def hook_function(function: Any, hook: Call | None) -> None:
         cls = type(function)
     if hook is None:
         return
+    _replace_call(function, hook, _glshim_original=cls)
+
+
+def ground_function(function: Any, maker: Maker) -> None:
+    """Make a ctypes function object call the maker's hook below any `hook_function`, for good."""
+    cls: Any = type(function)
+    hook = maker(lambda *args: cls.__call__(function, *args))
+    _replace_call(function, hook)
+
+
+def _replace_call(function: Any, hook: Call, **more: Any) -> None:
+    cls: Any = type(function)
     body = {
         # A library's own functions have no types on their class, but on themselves.
         **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
-        "_glshim_original": cls,
+        **more,
         "__call__": lambda _self, *args: hook(*args),
     }
     function.__class__ = type(cls.__name__, (cls,), body)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 PYOPENGL = "OpenGL.error"
 # Toolkits whose names an app may take before it imports PyOpenGL.
 EARLY_TOOLKITS = ("glfw", "pygame.display")
+KEYS = "GLSHIM_KEYS"
 
 _armed = False
 _folder = ""
@@ -33,6 +34,10 @@ def arm() -> None:
         return
     _armed = True
     _folder = os.getcwd()
+    if "GLSHIM_STILL" in os.environ:  # before the program has looked at a clock
+        from glshim import stillness
+
+        stillness.begin()
     for toolkit in EARLY_TOOLKITS:
         after_import(toolkit, _watch_toolkits)
     after_import(PYOPENGL, _begin)
@@ -42,6 +47,10 @@ def _watch_toolkits(module: "ModuleType") -> None:
     from glshim.capture import frames
 
     frames.watch_toolkits()
+    if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
+        from glshim.capture import keyboards
+
+        keyboards.watch()
 
 
 def _begin(module: "ModuleType") -> None:

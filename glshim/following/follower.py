@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any, Protocol, TypeVar
 
 from ..assembly import normals
-from ..assembly.batch import POSITIONS, Wanted
+from ..assembly.batch import POSITIONS, WHOLE, Wanted
 from ..assembly.evaluators import evaluator_key
 from ..assembly.fetch import Unfetchable
 from ..assembly.immediate import POLYGON_MODES, QUADS
@@ -18,12 +18,12 @@ from ..capture import forward
 from ..capture.lights import lighting
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState, colour, normal
+from ..capture.state import DrawState, colour
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
 from ..spec.shapes import Shape
-from .scene import Scene, Scenes
+from .scene import Scene, Scenes, normal_of
 
 _COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
 _PICK_AREA = 64
@@ -72,18 +72,31 @@ def contained(method: F) -> F:
 class Follower:
     """A `capture.watch.Watcher` and `capture.clibraries.ShapeWatcher`."""
 
-    def __init__(self, studio: Studio, wanted: Wanted = POSITIONS) -> None:
-        """wanted: what polygons shall come with."""
+    def __init__(self, studio: Studio) -> None:
+        """Of no style yet: :meth:`restyle`."""
         self.studio = studio
-        self._wanted = wanted
+        self._idle = True
+        """Nothing is drawn: only what lists hold and which buffers were written is followed."""
+        self._wanted = POSITIONS
         self._colour = self._normal = b""
         """Records of what a primitive begins with and has until it says another, if wanted."""
-        self._scenes = Scenes(wanted)
+        self._scenes = Scenes()
         self._now: Scene | None = None
         self._reruns: list[tuple[int, Callable[[], Any]]] = []
         self._elements: list[tuple[int, int]] = []
         """Positions in the record of glArrayElement calls, and their indices: nothing may be
         asked inside a primitive, so their vertices are fetched at its end."""
+
+    def restyle(self, wanted: Wanted | None) -> None:
+        """Polygons shall come with something else from now on, or (None) not at all. What layers
+        hold is dropped: between frames nothing."""
+        self._idle = wanted is None
+        self._wanted = wanted or POSITIONS
+        self._scenes.restyle(self._wanted)
+
+    def _recorded(self, scene: Scene) -> Wanted:
+        """What is recorded now: in a list all there is, for the styles under which it is called."""
+        return WHOLE if scene.lists.open is not None else self._wanted
 
     # -- primitives ------------------------------------------------------------------------------
 
@@ -97,8 +110,8 @@ class Follower:
         if self._now is not None and self._now.needs_list_base:
             self._now.read_list_base()
         if self._now is not None:
-            self._colour = colour() if self._wanted.colours else b""
-            self._normal = self._current_normal(self._now.drawing)
+            self._colour = colour() if self._recorded(self._now).colours else b""
+            self._normal = normal_of(self._now.drawing, self._wanted)
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -126,7 +139,7 @@ class Follower:
         reruns = list(self._reruns)
         try:
             for position, index in self._elements:
-                vertex = scene.array_element(index)
+                vertex = scene.array_element(index, self._recorded(scene))
                 parts += [stream[at:position], vertex]
                 at = position
                 self._reruns = [
@@ -183,13 +196,12 @@ class Follower:
         if scene is None or scene.refused:
             return
         if not RECORDER.inside():  # in a list, between its primitives
-            if self._wanted.normals:
-                RECORDER.extend(normals.said(name, args))
+            RECORDER.extend(normals.said(name, args))
         elif name.startswith("glArrayElement"):
             self._elements.append((RECORDER.position(), _number(args, 0)))
         elif name.startswith("glEval"):
             self._reruns.append((RECORDER.position(), call))
-        elif "Normal" in name and self._wanted.normals:
+        elif "Normal" in name and self._recorded(scene).normals:
             RECORDER.extend(normals.said(name, args))
         elif name.startswith("glCallList"):
             finished = scene.list_called_inside(scene.names(name, args, inside=True))
@@ -283,27 +295,22 @@ class Follower:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
-                scene.layer.add_primitive(state, QUADS, self._current_normal(state) + stream)
+                scene.layer.add_primitive(state, QUADS, normal_of(state, self._wanted) + stream)
         else:
             try:
-                batch = scene.fetch.batch(name, args)
+                if scene.lists.open is not None:
+                    whole = scene.fetch.batch(name, args, WHOLE)
+                    if whole is not None:
+                        scene.compile(whole)
+                batch = None if state is None else scene.fetch.batch(name, args, self._wanted)
             except Unfetchable as reason:
                 say_once(f"unstyled: {name}, because {reason}")
                 return
-            if batch is not None:
-                scene.compile(batch)
-                if state is not None:
-                    current = self._current_normal(state) if batch.normals is None else b""
-                    if current:
-                        batch = normals.throughout(batch, current)
-                    scene.layer.add_batch(state, batch)
-
-    def _current_normal(self, state: DrawState | None) -> bytes:
-        """The record of the normal that holds where a draw says none, if wanted. A style that wants
-        lights takes it for none where nothing is lit: it is left over from something else."""
-        if not self._wanted.normals or state is None:
-            return b""
-        return b"" if self._wanted.lights and not state.camera.lit else normal()
+            if state is not None and batch is not None:
+                current = normal_of(state, self._wanted) if batch.normals is None else b""
+                if current:
+                    batch = normals.throughout(batch, current)
+                scene.layer.add_batch(state, batch)
 
     def _shape(
         self,
@@ -349,7 +356,7 @@ class Follower:
         if scene is None:
             return
         scene.drawing = None
-        if scene.refused or scene.compiles_only:
+        if self._idle or scene.refused or scene.unpainted or scene.compiles_only:
             return
         layer = scene.layer
         if not polygons and not layer.pending:

@@ -15,7 +15,7 @@ from ..assembly.layers import LayerCollector
 from ..assembly.lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
 from ..caches import AgingCache
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState, StateReader, unsupported
+from ..capture.state import DrawState, StateReader, normal, unsupported
 from ..notices import say_once
 from ..spec.attributes import BY_NAME
 from ..spec.context import has_vertex_arrays
@@ -34,17 +34,28 @@ class Scene:
         """wanted: what batches shall come with."""
         self.refused = unsupported()
         """Why nothing can be styled here; empty when it can."""
+        self.unpainted = ""
+        """Why the style that is on cannot be drawn here; empty when it can. Lists and buffers are
+        followed all the same, for another one."""
         self.reader = StateReader(lighting=wanted.lights)
         self.layer = LayerCollector(wanted)
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
         self.lists = ListBook(wanted)
-        self.fetch = VertexFetch(wanted)
+        self.fetch = VertexFetch()
         self._shapes: AgingCache[tuple[PolygonBatch | None]] = AgingCache()
         self._compiling = 0
         self._marker = 0
         self._list_base = 0
         self._partial_lists = False
+
+    def restyle(self, wanted: Wanted) -> None:
+        """Batches shall come with something else from now on, in a layer that begins anew. Lists,
+        buffers and shapes stay known."""
+        self.unpainted = ""
+        self.reader = StateReader(lighting=wanted.lights)
+        self.layer = LayerCollector(wanted)
+        self.lists.wanted = wanted
 
     def mark(self) -> None:
         """Leave a mark in the context, so that :attr:`stale` can tell. When the first layer ends:
@@ -136,11 +147,11 @@ class Scene:
 
     # -- vertices and shapes ---------------------------------------------------------------------
 
-    def array_element(self, index: int) -> bytes:
+    def array_element(self, index: int, wanted: Wanted) -> bytes:
         """The records of the vertex of a glArrayElement call."""
         row = BY_NAME["glVertex3f"]
         vertex = row.pack.pack(*self.fetch.element(index), row.tag)
-        return self.fetch.element_normal(index) + vertex
+        return (self.fetch.element_normal(index) if wanted.normals else b"") + vertex
 
     def polygons(self, shape: Shape) -> PolygonBatch | None:
         """Polygons of a shape that C code draws, from feedback mode the first time."""
@@ -195,6 +206,12 @@ class Scenes:
                 say_unstyled(scene.refused)
         return scene
 
+    def restyle(self, wanted: Wanted) -> None:
+        """`Scene.restyle`, of all."""
+        self._wanted = wanted
+        for scene in self._by_context.values():
+            scene.restyle(wanted)
+
     def renewed(self) -> bool:
         """Look whether the current context is new, at an old one's address; it gets a new scene
         then. Ask now and then, outside primitives: at a clear, before a list."""
@@ -211,6 +228,14 @@ class Scenes:
             for other in self._by_context.values():
                 if other is not scene:
                     other.lists.redefined_elsewhere(name)
+
+
+def normal_of(state: DrawState | None, wanted: Wanted) -> bytes:
+    """The record of the normal that holds where a draw says none, if wanted. A style that wants
+    lights takes it for none where nothing is lit: it is left over from something else."""
+    if not wanted.normals or state is None:
+        return b""
+    return b"" if wanted.lights and not state.camera.lit else normal()
 
 
 def _mark() -> int:

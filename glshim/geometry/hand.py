@@ -59,7 +59,8 @@ def lifts(walk: Walk, corner: float) -> tuple[Doubles, Doubles]:
     extra_before, extra_after = np.zeros(len(length)), np.zeros(len(length))
     extra_before[head[part]], extra_after[tail[part]] = length[tail[part]], length[head[part]]
     extra_before[head[whole]] = extra_after[head[whole]] = ENDLESS
-    begun, rest = begun + extra_before[piece], rest + extra_after[piece]
+    begun = np.maximum(begun + extra_before[piece], 0.0)
+    rest = np.maximum(rest + extra_after[piece], 0.0)
     before[order] = np.where(run.forward, begun, rest)
     after[order] = np.where(run.forward, rest, begun)
     return before, after
@@ -118,7 +119,10 @@ class _Run:
         ahead_from = (self.total - self.size)[following]
         ahead = self._place(np.minimum(ahead_from + _SPAN, high[self._number]))
         come, go = self._to - back, ahead - self._to
-        return np.asarray(np.abs(np.angle(go * come.conj())))
+        turns = np.abs(np.angle(go * come.conj()))
+        # A hook at the end of a chain is no stroke of its own, and less than a zigzag.
+        left = np.minimum(self.total - low[self._number], high[self._number] - ahead_from)
+        return np.where(self.loop[self._number] | (left >= 0.5 * _SPAN), turns, 0.0)
 
     def _place(self, along: Doubles) -> NDArray[np.complex128]:
         """(N,) places in the window, pixels, so far along the row of strokes."""

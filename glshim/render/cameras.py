@@ -14,12 +14,12 @@ from glshim.geometry.camera import Camera
 from glshim.render.depth import UNIT as DEPTH_UNIT
 from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
+from glshim.render.sheet import SHEET
 from glshim.render.textures import STROKE_UNIT
 from glshim.styling.protocol import Draw
 
 _STENCIL_TEST = 0x0B90
 MOST_CLIP_PLANES = 6
-_LARGEST = 8192
 _HAIR = 4.0
 """Steps of the depth buffer between a line and the surface that it belongs to."""
 
@@ -102,7 +102,7 @@ def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
         "viewpoint": camera.viewpoint,
         "viewport": np.array((x + half[0], y + half[1], *half)),
         "range": np.array(camera.depth_range),
-        "port": np.array((x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)),
+        "port": _port(x, y, width, height),
     }
     if camera.clip_planes:
         found["clip_planes"] = np.array(camera.clip_planes[:MOST_CLIP_PLANES])
@@ -119,6 +119,7 @@ def inputs_of(
     return view | {
         "away": away, "hair": hair, "blur": depth.blur, "finished_depth": DEPTH_UNIT,
         "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
+        "sheet": (*SHEET.origin, SHEET.scale),
     }  # fmt: skip
 
 
@@ -126,8 +127,16 @@ def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:
     """The least box (x, y, width, height, pixels of the framebuffer) around all viewports."""
     ports = [camera.viewport for camera in cameras]
     x, y = (max(min(port[k] for port in ports), 0) for k in (0, 1))
-    right, top = (min(max(port[k] + port[k + 2] for port in ports), _LARGEST) for k in (0, 1))
+    right, top = (
+        min(max(port[k] + port[k + 2] for port in ports), SHEET.bounds[k]) for k in (0, 1)
+    )
     return x, y, max(right - x, 0), max(top - y, 0)
+
+
+def _port(x: int, y: int, width: int, height: int) -> NDArray[np.float64]:
+    """The least and the greatest pixel centre of a viewport that there are."""
+    right, top = (min(a, b) for a, b in zip((x + width, y + height), SHEET.bounds, strict=True))
+    return np.array((max(x, 0) + 0.5, max(y, 0) + 0.5, right - 0.5, top - 0.5))
 
 
 def scissor(

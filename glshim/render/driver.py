@@ -37,6 +37,7 @@ SIGNATURES.update(
         "glDrawArraysInstanced": "uiii",
         "glDrawBuffer": "u",
         "glDrawElementsInstanced": "uiupi",
+        "glDrawPixels": "iiuup",
         "glEdgeFlagPointer": "ip",
         "glEnableVertexAttribArray": "u",
         "glEndQuery": "u",
@@ -56,6 +57,7 @@ SIGNATURES.update(
         "glGetTexGeniv": "uup",
         "glLineWidth": "f",
         "glPixelTransferf": "uf",
+        "glPixelZoom": "ff",
         "glPolygonOffset": "ff",
         "glRenderbufferStorage": "uuii",
         "glScissor": "iiii",
@@ -78,6 +80,7 @@ SIGNATURES.update(
         "glVertex2f": "ff",
         "glVertexAttribDivisor": "uu",
         "glVertexAttribPointer": "uiubip",
+        "glWindowPos2i": "ii",
     }
 )
 

@@ -46,6 +46,8 @@ __all__ = [
 
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
 
+SURFACES = ("app", "none", "paint", "colours")
+"""Words of `Styler.surface`."""
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}\Z")
 _KEY = "glshim.option"
 

@@ -48,7 +48,7 @@ void main() {
         // Cut out of the screen: the contour in a triangle does not know how long it is before it.
         vec2 along_it = abs(along.y) > abs(along.x) ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
         float v = 0.5 + 0.5 * spot.y / half_width;
-        vec4 found = texture(stroke, vec2(dot(gl_FragCoord.xy, along_it) / repeat, v));
+        vec4 found = texture(stroke, vec2(dot(gl_FragCoord.xy + sheet.xy, along_it) / repeat, v));
         drawn = textured == 2 ? found : vec4(ink * found.a, found.a);
     }
     if (cover > 0.0) cover *= drawn.a > 0.0 ? shown(on) : 0.0;

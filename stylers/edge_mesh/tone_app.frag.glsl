@@ -3,5 +3,5 @@
 
 void main() {
     if (surface(gl_FragCoord.xy) || behind == 0) discard;
-    colour = vec4(bare(gl_FragCoord.xy), 1.0);
+    colour = vec4(bare(on_paper(gl_FragCoord.xy)), 1.0);
 }

@@ -4,16 +4,16 @@
 //         contrast is raised, and the paper's grain decides what is covered.
 
 void main() {
-    vec2 at = gl_FragCoord.xy;
+    vec2 at = gl_FragCoord.xy, spot = on_paper(at);
     bool drawn = surface(at);
     if (!drawn && behind == 0) discard;
     float cover = 0.0;
     if (drawn) {
         float dark = pow(1.0 - smoothstep(0.0, 0.95, brightness(shown(at))), 1.3);
         // The stick goes along one way, the paper's tooth catches it.
-        vec2 turned = vec2(0.8 * at.x + 0.6 * at.y, 0.8 * at.y - 0.6 * at.x);
+        vec2 turned = vec2(0.8 * spot.x + 0.6 * spot.y, 0.8 * spot.y - 0.6 * spot.x);
         vec2 drawn_out = turned * vec2(1.0, 0.1);
-        float tooth = mix(grain(at).r, grain(drawn_out, 1.3).r, 0.5);
+        float tooth = mix(grain(spot).r, grain(drawn_out, 1.3).r, 0.5);
         float sweep = grain(turned * vec2(1.0, 0.15), 0.4).g - 0.5;
         float press = dark * (1.0 + 0.35 * sweep) + 0.08 * sweep;
         float smear = 0.6 * press;  // what a finger rubs into the paper
@@ -21,5 +21,5 @@ void main() {
         cover = mix(smear, 0.92, caught * smoothstep(0.02, 0.5, press));
         cover = clamp(cover, 0.0, 0.95);
     }
-    colour = vec4(mix(bare(at), ink, cover), 1.0);
+    colour = vec4(mix(bare(spot), ink, cover), 1.0);
 }

@@ -3,5 +3,5 @@
 
 void main() {
     if (behind == 0 && !surface(gl_FragCoord.xy)) discard;
-    colour = vec4(bare(gl_FragCoord.xy), 1.0);
+    colour = vec4(bare(on_paper(gl_FragCoord.xy)), 1.0);
 }

@@ -5,8 +5,8 @@
 //         which change the density of the pigment, here by Beer's law.
 
 const int SPOKES = 10;
-const float REACH = 4.0;  // pixels to which pigment is carried
-const float OVER = 2.5;   // pixels by which washes run over outlines
+const float REACH = 4.0;  // pixels of the window to which pigment is carried
+const float OVER = 2.5;   // pixels of the window by which washes run over outlines
 const float WASHES = 1.7; // laid over each other, in a ratio of 2
 
 // The nearest surface to a place, which the brush has run over from; the place itself if none is.
@@ -15,20 +15,20 @@ vec2 spilled(vec2 place) {
     bool dry = !surface(place);
     for (int k = 0; k < (dry ? SPOKES : 0); ++k) {
         float turn = 6.2832 * float(k) / float(SPOKES);
-        vec2 there = place + OVER * vec2(cos(turn), sin(turn));
+        vec2 there = place + sheet.z * OVER * vec2(cos(turn), sin(turn));
         if (surface(there)) found = place + 2.0 * (there - place);
     }
     return surface(found) ? found : place;
 }
 
 void main() {
-    vec2 at = gl_FragCoord.xy;
-    vec3 fine = grain(at), wide = grain(at, 3.0);
+    vec2 at = gl_FragCoord.xy, spot = on_paper(at);
+    vec3 fine = grain(spot), wide = grain(spot, 3.0);
     if (behind == 0 && !surface(at)) discard;
-    vec2 place = at + 5.0 * (fine.gb - 0.5);
+    vec2 place = at + 5.0 * sheet.z * (fine.gb - 0.5);
     if (behind == 1) place = spilled(place);
     else if (!surface(place)) place = at;
-    vec3 sheet = bare(at);
+    vec3 sheet = bare(spot);
     if (!surface(place)) {
         colour = vec4(sheet, 1.0);
         return;
@@ -37,7 +37,7 @@ void main() {
     float rim = 0.0;
     for (int k = 0; k < SPOKES; ++k) {
         float turn = 6.2832 * float(k) / float(SPOKES);
-        vec2 there = place + (k % 2 == 0 ? REACH : 0.5 * REACH) * vec2(cos(turn), sin(turn));
+        vec2 there = place + sheet.z * (k % 2 == 0 ? REACH : 0.5 * REACH) * vec2(cos(turn), sin(turn));
         rim += surface(there) ? min(distance(shown(there), here), 0.5) : 0.5;
     }
     rim /= float(SPOKES);

@@ -19,6 +19,7 @@ from glshim.geometry.feature_lines import Features
 from glshim.geometry.lines import GROUPS
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Uniform
+from stylers.hand.expansion import expand
 
 _HERE = files(__package__)
 _RASKAR = files("stylers.raskar")
@@ -41,6 +42,7 @@ def shader() -> Shader:
         stroke + trace + _text("hand") + _text("hand.vert"),
         stroke + _text("hand") + _text("hand.frag"),
         vertices=4,
+        expand=expand,
     )
 
 
@@ -69,6 +71,9 @@ class Hand:
     """Share of the width by which strokes swell and thin."""
     taper: float = 0.0
     """Pixels at the ends of strokes over which they grow thin."""
+    tip: float = 0.0
+    """Pixels of a stroke that is drawn in its full width; shorter ones are thinner, as drawn with
+    the tip of the pen."""
     corner: float = 40.0
     """Degrees of a turn on the screen at which the pen is lifted."""
     seed: int = 0
@@ -84,11 +89,18 @@ class Hand:
     """Pixels of the brush's picture."""
     coloured: bool = False
     """The brush has colours of its own."""
+    bristles: float = 0.0
+    """Pixels over which its hairs leave the paper at the end of a stroke."""
 
     @property
     def period(self) -> float:
         """Pixels of a stroke after which brush and motion repeat."""
-        return self.length if self.image is not None else _PERIOD
+        return self.length * self.tiles if self.image is not None else _PERIOD
+
+    @property
+    def tiles(self) -> int:
+        """How often the brush repeats while the motion does once: pictures may be short."""
+        return max(round(_PERIOD / self.length), 1)
 
 
 def features(hand: Hand) -> Features:
@@ -136,6 +148,9 @@ def uniforms(hand: Hand) -> dict[str, Uniform]:
         "opacity": hand.opacity,
         "pressure": hand.pressure,
         "taper": hand.taper,
+        "tip": hand.tip,
         "textured": float(hand.image is not None),
         "tinted": float(not hand.coloured),
+        "tiles": float(hand.tiles),
+        "bristles": hand.bristles,
     }

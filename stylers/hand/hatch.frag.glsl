@@ -18,6 +18,8 @@ uniform float darkness;     // of the hatching, 0..1
 uniform float by_picture;   // share of the darkness that the app's own picture says
 uniform float jitter;       // pixels by which strokes stray
 uniform float jitter_seed;
+uniform float soft;         // strokes of a soft lead, 0..1
+uniform float coloured;     // share of the program's own colours in the ink
 
 in vec3 spot;
 in vec3 upright;
@@ -53,6 +55,9 @@ float strokes(vec3 across, float dark, float number, vec3 n, vec3 sight) {
     float half_width = 0.275 * dark * min(pixel, apart) * press * (odd ? 1.0 - part : 1.0);
     float tooth = 0.75 + 0.5 * grain(gl_FragCoord.xy).r;
     float cover = clamp(half_width + 0.5 - off, 0.0, 1.0) * min(2.0 * half_width, 1.0);
+    float lead = exp(-off * off / (1.6 * half_width * half_width + 0.4)) * min(half_width, 1.0);
+    lead *= smoothstep(-0.35, 0.55, press - 0.75 * grain(gl_FragCoord.xy + 71.0).r);
+    cover = mix(cover, 0.62 * lead, soft);
     // A face across the direction has no strokes of it, one nearly so would have them anywhere.
     return clamp(cover * tooth, 0.0, 1.0) * smoothstep(0.1, 0.3, slope / max(smoothly.y, 1e-12));
 }
@@ -74,5 +79,7 @@ void main() {
     cover = max(cover, strokes(normalize(vec3(-0.75, 0.58, 0.31)), smoothstep(0.5, 0.95, dark), 1.0, n, sight));
     cover = max(cover, strokes(normalize(vec3(0.2, 0.45, -0.87)), smoothstep(0.75, 1.1, dark), 2.0, n, sight));
     if (cover <= 0.004) discard;
-    colour = vec4(ink, 1.0) * cover;
+    float value = max(max(shown.r, shown.g), max(shown.b, 0.05));
+    vec3 crayon = shown / value * (0.25 + 0.4 * value);
+    colour = vec4(mix(ink, crayon, coloured), 1.0) * cover;
 }

@@ -39,6 +39,10 @@ class Hatching:
     boil: float = 0.0
     """New jitter a second."""
     tolerance: float = 0.0
+    soft: float = 0.0
+    """0..1: strokes of a soft lead, which the tooth of the paper holds, instead of ink."""
+    coloured: float = 0.0
+    """Share of the program's own colours in the ink."""
 
 
 @cache
@@ -57,6 +61,7 @@ def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:
     uniforms: dict[str, Uniform] = {
         "lamp": light, "ink": look.ink, "apart": look.apart, "darkness": look.darkness,
         "by_picture": look.by_picture, "jitter": look.jitter,
+        "soft": look.soft, "coloured": look.coloured,
         "jitter_seed": float(floor(layer.time * look.boil) % 61),
     }  # fmt: skip
     yield Pass(

@@ -50,11 +50,16 @@ def under(paper: Paper, layer: Layer) -> Iterator[Pass]:
         "tint": paper.tint, "shade": paper.shade, "grid": paper.grid, "tooth": paper.tooth,
         "rule": paper.rule,
     }  # fmt: skip
-    windows = {body.camera.viewport: body for body in bodies(layer)}
-    screens = tuple(map(_whole, windows.values()))
     yield Pass(
-        _shader(), screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=UNDER
-    )
+        _shader(), windows(layer), "screen", state=_STATE, uniforms=uniforms, image=grain(),
+        sheet=UNDER,
+    )  # fmt: skip
+
+
+def windows(layer: Layer) -> tuple[Body, ...]:
+    """One body for each window of a layer, whose pass goes over all of it."""
+    found = {body.camera.viewport: body for body in bodies(layer)}
+    return tuple(map(_whole, found.values()))
 
 
 def _whole(body: Body) -> Body:

@@ -1,6 +1,6 @@
 """Looks: style files that come with glshim, and are asked for by their bare names.
 
-Those of McGuire & Hughes 2004, figures 1 and 7.
+Those of McGuire & Hughes 2004, figures 1 and 7, and others over the other styles.
 """
 
 from functools import cache

@@ -22,18 +22,9 @@ def expand(
     blur: float,
 ) -> Expansion:
     """The strips of `SHADER`, from the numpy reference."""
-    ridge_turn, valley_turn = (_numbers(uniforms[name]) for name in ("ridge_turn", "valley_turn"))
     # Lines that are not drawn may divide by nothing.
     with np.errstate(all="ignore"):
-        strokes = raskar.strokes(
-            records,
-            camera,
-            widths=_numbers(uniforms["widths"]),
-            ridge_angle=float(np.arctan2(ridge_turn[1], ridge_turn[0])),
-            valley_angle=float(np.arctan2(valley_turn[1], valley_turn[0])),
-            hair=hair,
-            blur=blur,
-        )
+        strokes = traced(records, camera, uniforms, hair=hair, blur=blur)
         places = raskar.quads(strokes)
     drawn = strokes.drawn
     values = {
@@ -46,6 +37,27 @@ def expand(
         "grain": strokes.grain,
     }
     return Expansion(places[drawn], {name: rows[drawn] for name, rows in values.items()})
+
+
+def traced(
+    records: NDArray[np.float32],
+    camera: Camera,
+    uniforms: Mapping[str, Uniform],
+    *,
+    hair: float,
+    blur: float,
+) -> raskar.Strokes:
+    """What ``trace.glsl`` makes of records."""
+    ridge_turn, valley_turn = (_numbers(uniforms[name]) for name in ("ridge_turn", "valley_turn"))
+    return raskar.strokes(
+        records,
+        camera,
+        widths=_numbers(uniforms["widths"]),
+        ridge_angle=float(np.arctan2(ridge_turn[1], ridge_turn[0])),
+        valley_angle=float(np.arctan2(valley_turn[1], valley_turn[0])),
+        hair=hair,
+        blur=blur,
+    )
 
 
 def _numbers(value: Uniform) -> tuple[float, ...]:

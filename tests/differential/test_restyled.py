@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import tempfile
 from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pygame
 import pytest
 from OpenGL import GL
+from OpenGL.GLU import gluNewQuadric, gluSphere
 
 import glshim
+from glshim import pipeline
+from glshim.styling.protocol import Draw, Layer, Styler
 
 
 @pytest.fixture
@@ -131,3 +139,209 @@ def test_a_buffer_written_while_no_style_was_on_is_read_again(window: None) -> N
     one, other = (int(name) for name in GL.glGenBuffers(2))
     picture(one, 0.7)
     assert picture(one, 0.4) == picture(other, 0.4)
+
+
+# -- a style switched while the app runs -----------------------------------------------------------
+# Programs in a process each; they say at which frame which style comes, and write the last picture.
+
+PROGRAM = """
+import ctypes
+import sys
+import numpy as np
+import pygame
+from glshim import pipeline, parse_style
+styles = [None if text == "off" else parse_style(text) for text in sys.argv[2:]]
+pipeline.install(styles[0] or "none", live=True)
+pygame.display.init()
+pygame.display.set_mode((96, 72), pygame.OPENGL | pygame.DOUBLEBUF)
+from OpenGL.GL import *
+from OpenGL.GLU import *
+glEnable(GL_DEPTH_TEST)
+glEnable(GL_LIGHTING)
+glEnable(GL_LIGHT0)
+glEnable(GL_COLOR_MATERIAL)
+
+RED, GREEN = (1, 0.5, 0.5), (0.5, 1, 0.5)
+LEFT = ((-0.6, -0.5), (0, -0.5), (0, 0.5), (-0.6, 0.5))
+RIGHT = ((0, -0.5), (0.6, -0.5), (0.6, 0.5), (0, 0.5))
+
+def sheet(first, second):
+    # Flat: that there is a line between its halves only their colours or normals say.
+    glColor3f(*first)
+    glBegin(GL_QUADS)
+    glNormal3f(-1, 0, 1)
+    for x, y in LEFT:
+        glVertex2f(x, y)
+    glColor3f(*second)
+    glNormal3f(1, 0, 1)
+    for x, y in RIGHT:
+        glVertex2f(x, y)
+    glEnd()
+
+def said_between():
+    # The normals stand between the primitives, in a form that is not recorded.
+    for half, side in ((LEFT, -20000), (RIGHT, 20000)):
+        glNormal3s(side, 0, 20000)
+        glBegin(GL_QUADS)
+        for x, y in half:
+            glVertex2f(x, y)
+        glEnd()
+
+points = np.array([(*at, 0) for at in LEFT + RIGHT], "f4")
+normals = np.array([(-1, 0, 1)] * 4 + [(1, 0, 1)] * 4, "f4")
+buffer = glGenBuffers(1)
+glBindBuffer(GL_ARRAY_BUFFER, buffer)
+glBufferData(GL_ARRAY_BUFFER, np.concatenate((points, normals)), GL_STATIC_DRAW)
+glEnableClientState(GL_VERTEX_ARRAY)
+glEnableClientState(GL_NORMAL_ARRAY)
+glVertexPointer(3, GL_FLOAT, 0, None)
+glNormalPointer(GL_FLOAT, 0, ctypes.c_void_p(points.nbytes))
+
+def arrays():
+    glDrawArrays(GL_QUADS, 0, 8)
+
+def elements():
+    glBegin(GL_QUADS)
+    for i in range(8):
+        glArrayElement(i)
+    glEnd()
+
+KINDS = (lambda: sheet(RED, GREEN), said_between, arrays, elements,
+         lambda: gluSphere(gluNewQuadric(), 0.5, 12, 8))
+lists = glGenLists(2 * len(KINDS))
+
+def compiled(first):
+    for i, draw in enumerate(KINDS):
+        glNewList(lists + first + i, GL_COMPILE)
+        draw()
+        glEndList()
+
+compiled(0)
+
+def frame(number):
+    glClearColor(1, 1, 1, 1)
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
+    if number == 2:  # compiled while another style, or none, was on
+        compiled(len(KINDS))
+        glBufferSubData(GL_ARRAY_BUFFER, 0, points * np.float32(0.9))
+    draws = [lambda i=i: glCallList(lists + i) for i in range(2 * len(KINDS) if number > 1 else 5)]
+    for i, draw in enumerate(draws + list(KINDS)):
+        glLoadIdentity()
+        glTranslatef(0.4 * (i % 5) - 0.8, 0.6 * (i // 5) - 0.6, 0)
+        glScalef(0.3, 0.3, 0.3)
+        glRotatef(25, 1, 1, 0)
+        draw()
+
+# A style a frame, then two more of the last.
+for number, style in enumerate(styles + styles[-1:] * 4, start=1):
+    frame(number)
+    kept = glReadPixels(0, 0, 96, 72, GL_RGB, GL_UNSIGNED_BYTE)
+    nexts = (styles[1:] + styles[-1:] * 5)[number - 1]
+    pipeline.switch(nexts)
+    pygame.display.flip()
+    assert pipeline.current() is (nexts and (nexts if nexts.wants_polygons else None)), number
+    assert glGetError() == 0
+with open(sys.argv[1], "wb") as file:
+    file.write(kept)
+"""
+
+MARKS = "edge_mesh:marked=on"
+RASKAR = "raskar:ink=#ff0000"
+SURFACE = "crease:fill=#ddeeff,rule=normals,least_angle=0"
+
+
+@cache
+def last_picture(*styles: str) -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        script, picture = Path(folder, "app.py"), Path(folder, "picture")
+        script.write_text(PROGRAM)
+        done = subprocess.run(
+            [sys.executable, str(script), str(picture), *styles],
+            capture_output=True, text=True, timeout=120, check=False,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == (0, ""), done.stderr
+        return picture.read_bytes()
+
+
+@pytest.mark.parametrize("target", [RASKAR, MARKS, SURFACE, "fins", "off"])
+@pytest.mark.parametrize("before", [(RASKAR,), (MARKS,), ("off",), (SURFACE, "off", "none")])
+def test_a_style_that_comes_later_draws_as_if_it_had_been_on_from_the_start(
+    target: str, before: tuple[str, ...]
+) -> None:
+    """Lists compiled, buffers written and shapes drawn under another style, or under none."""
+    from_the_start = last_picture(*[target] * 4)
+    switched = last_picture(*(*before, *before, *before)[:3], target)
+    assert switched == from_the_start
+    assert last_picture(target, *before, target) == from_the_start
+    assert (from_the_start == last_picture(*["off"] * 4)) == (target == "off")
+
+
+def test_installing_another_style_keeps_what_lists_hold(window: None) -> None:
+    name = GL.glGenLists(1)
+    glshim.install("raskar:ink=#ff0000")
+    GL.glNewList(name, GL.GL_COMPILE)
+    GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+    GL.glEndList()
+    pictures = []
+    for style in ("raskar:ink=#0000ff", "none", "raskar:ink=#0000ff"):
+        glshim.install(style)
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glCallList(name)
+        pictures.append(bytes(GL.glReadPixels(0, 0, 64, 64, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)))
+    assert b"\x00\x00\xff" in pictures[0]
+    assert pictures[0] == pictures[2] != pictures[1]
+
+
+class Failing(Styler):
+    """A styler with a fault in it."""
+
+    name = "failing"
+
+    def draws(self, layer: Layer) -> Iterator[Draw]:
+        raise ValueError("the styler's own")
+
+
+def test_a_style_that_fails_ends_alone_where_others_may_come(
+    window: None, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain = frame()
+    pipeline.install(Failing(), live=True)
+    assert [frame(), frame()] == [plain, plain]
+    assert pipeline.current() is None
+    said = capsys.readouterr().err
+    assert said.count("'failing' fails and is switched off: ValueError") == 1
+    pipeline.switch(glshim.parse_style("raskar"))
+    pygame.display.flip()
+    assert frame() != plain
+
+
+def test_memory_stays_flat_when_styles_are_gone_through(window: None) -> None:
+    """After every style was on some times, nothing is added by 200 more switches."""
+    styles = [glshim.parse_style(text) for text in ("raskar", MARKS, SURFACE, "fins", "fur")]
+    pipeline.install("none", live=True)
+    name = GL.glGenLists(1)
+    GL.glNewList(name, GL.GL_COMPILE)
+    gluSphere(gluNewQuadric(), 0.8, 40, 40)
+    GL.glEndList()
+
+    def cycle(switches: int) -> tuple[int, ...]:
+        for number in range(switches):
+            pipeline.switch(None if number % 7 == 6 else styles[number % len(styles)])
+            frame()
+            GL.glCallList(name)
+            pygame.display.flip()
+        GL.glFinish()
+        kinds = (GL.glIsBuffer, GL.glIsTexture, GL.glIsProgram, GL.glIsFramebuffer)
+        return (resident(), *(sum(map(is_one, range(1, 20000))) for is_one in kinds))
+
+    cycle(200)
+    before, *objects = cycle(60)
+    after, *objects_after = cycle(200)
+    assert objects_after == objects
+    assert after - before < 4 << 20
+
+
+def resident() -> int:
+    """Bytes of memory that this process holds."""
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * 4096

@@ -22,6 +22,6 @@ FIGURES = (
            crop=_MIDDLE),  # thinner edges
     Figure("hajagos_13", ("-m", "tests.figures.programs.head"),
            (_lines(3), _lines(3) + ",fill=#ffffff"), 2, crop=_MIDDLE),  # a head
-    Figure("hajagos_14", ("-m", "demo_apps.figure"), (_lines(3) + ",fill=#ffffff",),
+    Figure("hajagos_14", ("-m", "demo_apps.08_figure"), (_lines(3) + ",fill=#ffffff",),
            frames=14),  # a raptor
 )  # fmt: skip

@@ -33,14 +33,14 @@ def figure1() -> list[Image.Image]:
         return [
             shot("hidden_line", *_VIEW, "gear").crop(middle),
             shot("fur", *_VIEW, head).crop(middle),
-            shot("shadow", str(DEMOS / "robot_arm.py"), frames=14).crop(arm),
+            shot("shadow", str(DEMOS / "03_robot_arm.py"), frames=14).crop(arm),
             shot("cartoon_fur", *_VIEW, head).crop(middle),
         ]
 
 
 def figure7() -> list[Image.Image]:
     """The four looks of one model, in the order of `LOOKS`."""
-    program = str(DEMOS / "figure.py")
+    program = str(DEMOS / "08_figure.py")
     return [shot(look, program, frames=14).crop((40, 0, 600, 480)) for look in LOOKS]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tests.figures.table import Figure
 
 TORUS = ("-m", "tests.figures.programs.torus")
-DRAGON = ("-m", "demo_apps.figure")
+DRAGON = ("-m", "demo_apps.08_figure")
 _BARE = "fins:half_width=7,joints=none"
 
 FIGURES = (

@@ -1,4 +1,4 @@
-"""Meshes under style raskar, as the contexts of now draw them.
+"""Meshes under style raskar, and drawn by hand, as the contexts of now draw them.
 
 ``python -m tests.golden.legacy_scenes OUT`` writes the pictures without and with lines, and who
 expanded them.
@@ -15,7 +15,8 @@ from OpenGL import GL
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
 from glshim.render.backend import Backend
-from glshim.styling.protocol import Layer
+from glshim.styling.protocol import Layer, Styler
+from stylers.hand import Hand, strokes
 from stylers.raskar import Raskar
 from tests import look
 
@@ -36,6 +37,16 @@ def star(points=5) -> PolygonBatch:
     return look.batch(corners, [*sides, *lids])
 
 
+@dataclasses.dataclass(frozen=True)
+class ByHand(Styler):
+    """Strokes of a hand; where it goes is the GPU's to say, but for what it would do at random."""
+
+    hand: Hand
+
+    def draws(self, layer):
+        return strokes(self.hand, layer)
+
+
 def scenes():
     """Style and items by name."""
     style = Raskar(silhouette_width=3, ridge_width=2, valley_width=3, intersections=False)
@@ -45,6 +56,12 @@ def scenes():
             lens = look.orthographic() if k % 2 else LENS
             camera = Camera(look.look_at(5 * direction), lens, PORT, front_ccw=name != "teapot")
             yield f"{name} {k}", style, ((mesh, camera),)
+    black = ((0.0, 0.0, 0.0),) * 2
+    hand = Hand(120.0, 240.0, (5.0, 3.0), black, taper=30.0, tip=80.0)
+    for name, mesh in (("cube", look.cube()), ("star", star()), ("cylinder", look.cylinder())):
+        for k, direction in enumerate(look.directions(3)):
+            camera = Camera(look.look_at(5 * direction), LENS, PORT)
+            yield f"{name} by hand {k}", ByHand(hand), ((mesh, camera),)
     near = Camera(look.look_at((1.3, 0.95, 0.3), (0.0, 0.4, 0.2)), look.perspective(75, near=0.05),
                   PORT)  # fmt: skip
     yield "inside a cube", style, ((look.cube(), near),)

@@ -24,7 +24,10 @@ FOLDER = Path(__file__).with_name("stored")
 RECORD = FOLDER / "renderer.json"
 SIZE = (320, 240)
 STYLE = "raskar:ink=#e8641b,silhouette_width=3,ridge_width=2,ridge_angle=120,intersections=on"
-UNPAINTED = ("viewer", "figure", "bending_arm", "chess")  # see test_animated_meshes, test_chess
+UNPAINTED = (  # see test_animated_meshes, test_chess, test_numbered_demos
+    "viewer", "08_figure", "bending_arm", "06_chess", "01_gears", "02_solar_system",
+    "04_molecule", "05_terrain", "09_gcode", "10_textured_room",
+)  # fmt: skip
 VIEWER_SHAPES = ("torus", "cube", "knot", "bowl")
 
 _ASK = """

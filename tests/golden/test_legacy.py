@@ -16,7 +16,7 @@ from tests.programs.screen import NoScreen, virtual_screen
 ROOT = Path(__file__).parents[2]
 LEGACY = {"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_GLSL_VERSION_OVERRIDE": "120"}
 INK = np.array((0xE8, 0x64, 0x1B))
-DEMOS = ("island", "robot_arm", "cad_part", "viewer_knot")
+DEMOS = ("island", "03_robot_arm", "07_cad_part", "viewer_knot")
 STATE_SCENES = "array_draws-client or everything_under or lists or element_buffer"
 
 

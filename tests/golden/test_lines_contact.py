@@ -86,7 +86,7 @@ def test_a_box_on_the_floor_is_closed_at_its_foot(backend, elevation, turn, para
 
 
 def test_a_drum_on_a_disc_has_no_lonely_dots(backend):
-    """Round foot on a coplanar top, each a batch of its own, as demo_apps/robot_arm has it."""
+    """Round foot on a coplanar top, each a batch of its own, as demo_apps/03_robot_arm has it."""
     drum, disc = look.cylinder(32, 0.5, 0.4), look.cylinder(32, 1.2, 0.2)
     for elevation in (12, 22, 40):
         e = np.radians(elevation)

@@ -3,19 +3,21 @@ time, and a figure whose style is not there says so."""
 
 from __future__ import annotations
 
+import importlib
 from collections import Counter
 from itertools import combinations
 
 import numpy as np
 import pytest
 
-from demo_apps.chess import smooth_normals
 from glshim.errors import StyleError
 from glshim.styling import registry
 from tests.figures import hajagos, rideout
 from tests.figures.programs import head
 from tests.figures.shots import shot
 from tests.figures.table import Figure
+
+chess = importlib.import_module("demo_apps.06_chess")
 
 FIGURES = {figure.name: figure for figure in (*rideout.FIGURES, *hajagos.FIGURES)}
 PROGRAMS = {" ".join(figure.program[1:]): figure.program for figure in FIGURES.values()}
@@ -46,7 +48,7 @@ def test_the_head_is_one_closed_smooth_skin():
     rows, columns = points.shape[0] - 2, points.shape[1] - 1
     assert 2 * columns * rows == 29520  # triangles: two a quad, and one a side of the poles' fans
     assert np.isfinite(points).all() and (points[:, 0] == points[:, -1]).all()
-    normals = smooth_normals(points)
+    normals = chess.smooth_normals(points)
     assert np.allclose(np.linalg.norm(normals, axis=2), 1.0)
     for axis in (0, 1):  # nowhere is it folded
         one, other = (np.delete(normals, k, axis=axis) for k in (0, -1))

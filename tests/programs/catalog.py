@@ -76,8 +76,9 @@ TOOLKITS = tuple(
 
 OURS = tuple(
     Program(f"demo_apps/{name}", "ours", f"-m demo_apps.{name}")
-    for name in ("cad_part", "robot_arm", "island", "cloth", "flag", "blob", "figure",
-                 "bending_arm", "chess", "viewer")
+    for name in ("01_gears", "02_solar_system", "03_robot_arm", "04_molecule", "05_terrain",
+                 "06_chess", "07_cad_part", "08_figure", "09_gcode", "10_textured_room",
+                 "island", "cloth", "flag", "blob", "bending_arm", "viewer")
 )
 
 PROGRAMS = DEMO_PROGRAMS + OTHERS + OLD_MANNERS + TOOLKITS + OURS

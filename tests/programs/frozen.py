@@ -1,24 +1,22 @@
 """Run one program unmodified, with its clock and its luck frozen, and save what it presents.
 
 `python frozen.py OUT FRAMES TARGET [ARGS...]` runs the script TARGET (or the module `-m NAME`)
-as `__main__`. It imports nothing of glshim and draws nothing: each picture is read from the X
-screen after the program's own call that presents it, so it is the same code, with the same result,
-whether or not another program has hooked OpenGL above or below these hooks.
+as `__main__`. Of glshim it imports what holds clocks alone, and it draws nothing: each picture is
+read from the X screen after the program's own call that presents it, so it is the same code, with
+the same result, whether or not another program has hooked OpenGL above or below these hooks.
 
-Time stands still while a frame is made and moves by STEP between frames; GLUT's timers and idle
-calls are served one round a frame, after the window has settled, so that every run sees the same
+Time stands still while a frame is made (`glshim.stillness`), so that every run sees the same
 sequence of events.
 """
 
 import ctypes
 import ctypes.util
 import importlib.abc
+import importlib.util
 import os
-import random
 import runpy
 import sys
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -26,14 +24,11 @@ from typing import Any
 
 import numpy as np
 
-STEP = 0.02  # seconds that pass with each frame
-SETTLE = 12  # rounds of GLUT's main loop before the first display: the window comes up
-QUIET = 40  # rounds without a new picture after which a program that stands still is done
+from glshim import stillness
+from glshim.stillness import real_clock, real_sleep
+
 GL_DOUBLEBUFFER = 0x0C32
 Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)
-
-real_sleep = time.sleep
-real_clock = time.monotonic
 
 
 class XImage(ctypes.Structure):
@@ -125,8 +120,7 @@ class Recorder:
 
     def __init__(self, out: Path, frames: int) -> None:
         self.out, self.frames = out, frames
-        self.count = 0
-        self.now = 0.0
+        self.moment = stillness.Moment()
         self.pictures: list[np.ndarray[Any, Any]] = []
         self.last_seen = real_clock()
         self.screen = Screen()
@@ -137,9 +131,8 @@ class Recorder:
         if picture is None:
             return
         self.pictures.append(picture)
-        self.count += 1
-        self.now += STEP
-        if self.count >= self.frames:
+        self.moment.frame_ends()
+        if self.moment.frames >= self.frames:
             self.finish()
 
     def flushed(self) -> None:
@@ -159,28 +152,10 @@ class Recorder:
         def look() -> None:
             while True:
                 real_sleep(0.2)
-                if self.count and real_clock() - self.last_seen > patience:
+                if self.moment.frames and real_clock() - self.last_seen > patience:
                     self.finish()
 
         threading.Thread(target=look, daemon=True).start()
-
-
-def freeze_luck() -> None:
-    random.seed(1)
-    np.random.seed(1)
-
-
-def freeze_clock(recorder: Recorder) -> None:
-    start = 1_600_000_000.0
-    for name, base in (("time", start), ("perf_counter", 0.0), ("monotonic", 0.0),
-                       ("process_time", 0.0), ("clock", 0.0)):
-        setattr(time, name, lambda base=base: base + recorder.now)
-        setattr(time, name + "_ns", lambda base=base: int((base + recorder.now) * 1e9))
-
-    def sleep(seconds: float) -> None:
-        recorder.now += seconds
-
-    time.sleep = sleep  # type: ignore[assignment]
 
 
 def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
@@ -197,106 +172,10 @@ def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
     setattr(module, name, call)
 
 
-class GlutLoop:
-    """GLUT's idle function, timers and clock, served from one pump in a fixed order.
-
-    freeglut calls idle functions and timers as often as real time allows, and displays when the
-    window happens to be exposed. The pump waits until the window has settled, then serves one round
-    after another: clock, due timers, the program's idle function, a redisplay if one was asked for.
-    """
-
-    def __init__(self, glut: ModuleType, recorder: Recorder) -> None:
-        self.glut, self.recorder = glut, recorder
-        self.round = 0
-        self.quiet = 0
-        self.shown = 0
-        self.idle: Callable[[], None] | None = None
-        self.timers: list[tuple[float, int, Callable[[int], None], int]] = []
-        self.waiting: set[int] = set()
-        self.real = {name: getattr(glut, name) for name in (
-            "glutDisplayFunc", "glutIdleFunc", "glutTimerFunc", "glutMainLoop", "glutGet",
-            "glutPostRedisplay", "glutSetWindow", "glutGetWindow")}
-        glut.glutIdleFunc = self.set_idle
-        glut.glutTimerFunc = self.add_timer
-        glut.glutDisplayFunc = self.set_display
-        glut.glutMainLoop = self.main_loop
-        glut.glutGet = self.get
-        self.elapsed = glut.GLUT_ELAPSED_TIME
-
-    def set_idle(self, function: Callable[[], None] | None = None) -> None:
-        self.idle = function
-
-    def add_timer(self, milliseconds: int, function: Callable[[int], None], value: int = 0) -> None:
-        due = self.recorder.now + milliseconds / 1000
-        self.timers.append((due, len(self.timers), function, value))
-
-    def set_display(self, function: Callable[[], None]) -> None:
-        def display() -> None:
-            if self.round < SETTLE:
-                self.waiting.add(self.real["glutGetWindow"]())
-            else:
-                function()
-
-        self.real["glutDisplayFunc"](display)
-
-    def get(self, what: Any) -> Any:
-        if what == self.elapsed:
-            return int(self.recorder.now * 1000)
-        return self.real["glutGet"](what)
-
-    def main_loop(self) -> None:
-        self.real["glutIdleFunc"](self.pump)
-        self.real["glutMainLoop"]()
-
-    def pump(self) -> None:
-        self.round += 1
-        if self.round < SETTLE:
-            real_sleep(0.01)
-            return
-        if self.round == SETTLE:
-            for window in sorted(self.waiting):
-                self.real["glutSetWindow"](window)
-                self.real["glutPostRedisplay"]()
-            return
-        self.quiet = 0 if self.recorder.count != self.shown else self.quiet + 1
-        if self.quiet == 0:
-            self.shown = self.recorder.count
-        else:
-            self.recorder.now += STEP  # nothing was shown: a frame's time passes all the same
-            real_sleep(0.001)
-        if self.quiet > QUIET:
-            self.recorder.finish()
-        due = sorted(t for t in self.timers if t[0] <= self.recorder.now + 1e-9)
-        self.timers = [t for t in self.timers if t not in due]
-        for _, _, function, value in due:
-            function(value)
-        if self.idle is not None:
-            self.idle()
-
-
 def freeze_pygame(pygame: ModuleType, recorder: Recorder) -> None:
     for name in ("flip", "update"):
         around(pygame.display, name, recorder.presented)
-
-    def milliseconds() -> int:
-        return int(recorder.now * 1000)
-
-    class Clock:
-        def tick(self, _framerate: float = 0) -> int:
-            return int(STEP * 1000)
-
-        tick_busy_loop = get_time = get_rawtime = tick
-
-        def get_fps(self) -> float:
-            return 1 / STEP
-
-    def wait(duration: int) -> int:
-        recorder.now += duration / 1000
-        return duration
-
-    pygame.time.get_ticks = milliseconds
-    pygame.time.wait = pygame.time.delay = wait
-    pygame.time.Clock = Clock
+    stillness.still_pygame(pygame.time, recorder.moment)
 
 
 def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
@@ -307,12 +186,12 @@ def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
         recorder.presented(glfw.get_x11_window(window))
 
     glfw.swap_buffers = swap_buffers  # type: ignore[attr-defined]
-    glfw.get_time = lambda: recorder.now  # type: ignore[attr-defined]
+    stillness.still_glfw(glfw, recorder.moment)
 
 
 def freeze_glut(glut: ModuleType, recorder: Recorder) -> None:
     around(glut, "glutSwapBuffers", recorder.presented)
-    GlutLoop(glut, recorder)
+    stillness.GlutLoop(glut, recorder.moment, recorder.finish)
 
 
 def freeze_glx(glx: ModuleType, recorder: Recorder) -> None:
@@ -382,8 +261,8 @@ class AfterImport(importlib.abc.MetaPathFinder):
 def main() -> None:
     out, frames, *command = sys.argv[1:]
     recorder = Recorder(Path(out), int(frames))
-    freeze_luck()
-    freeze_clock(recorder)
+    stillness.still_luck()
+    stillness.still_clock(recorder.moment)
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
              "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "sdl2": freeze_sdl2,
              "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}

@@ -44,6 +44,12 @@ class Hand:
             self.test.XTestFakeKeyEvent(self.display, code, down, 0)
         self.settle()
 
+    def hold(self, keysym: int, down: bool) -> None:
+        """Put a modifier down, or let it go."""
+        code = self.x.XKeysymToKeycode(self.display, ctypes.c_ulong(keysym))
+        self.test.XTestFakeKeyEvent(self.display, code, down, 0)
+        self.settle()
+
     def click(self, button: int) -> None:
         for down in (1, 0):
             self.test.XTestFakeButtonEvent(self.display, button, down, 0)

@@ -1,14 +1,17 @@
 """The two ways to animate a mesh of McGuire and Hughes 2004, 3.6, as the demos do them on the CPU:
 key frames (`figure`) and bones (`bending_arm`). No window: only the meshes at a time."""
 
+import importlib
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from demo_apps import bending_arm, figure
+from demo_apps import bending_arm
 from glshim.geometry.crossings import neighbours, segments
+
+figure = importlib.import_module("demo_apps.08_figure")
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]

@@ -1,12 +1,13 @@
 """The chessmen of the demo: closed skins, wound anticlockwise, with normals that fit them."""
 
+import importlib
 from collections import Counter
 
 import numpy as np
 import pytest
 from OpenGL import GL
 
-from demo_apps import chess
+chess = importlib.import_module("demo_apps.06_chess")
 
 
 class Recorder:

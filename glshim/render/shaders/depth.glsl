@@ -17,6 +17,7 @@ uniform vec2 depth_size;           // pixels of that texture
 uniform vec4 port;                 // the viewport: least and greatest pixel centre
 uniform float away;                // +1 where greater depth is farther away, else -1
 uniform float hair;                // a few steps of the depth buffer
+uniform vec3 sheet;                // pixels from the sheet's corner to ours; ours for a window's
 uniform float blur;                // pixels by which depths may not be those of pixel centres
 
 const int RING = 0, CONTOUR = 1, HOLLOW = 2, FIN = 3, RIDGE = 4, LONE_RIDGE = 5, VALLEY = 6,

@@ -1,12 +1,14 @@
 """A head, one smooth closed surface of 29,520 triangles: an egg on a neck, with features as bumps.
 """
 
+import importlib
+
 import numpy as np
 from numpy.typing import NDArray
 
-from demo_apps.chess import draw_grid, material, smooth_normals
 from tests.figures.programs.stage import show
 
+chess = importlib.import_module("demo_apps.06_chess")
 ROWS, COLUMNS = 125, 120
 Floats = NDArray[np.float64]
 
@@ -63,9 +65,9 @@ def head() -> Floats:
 
 
 def draw() -> None:
-    material((0.84, 0.76, 0.66, 1.0), 0.15)
+    chess.material((0.84, 0.76, 0.66, 1.0), 0.15)
     points = head()
-    draw_grid(points, smooth_normals(points))
+    chess.draw_grid(points, chess.smooth_normals(points))
 
 
 if __name__ == "__main__":

@@ -1,16 +1,19 @@
 """The torus of Rideout's steps: smooth, in triangles."""
 
+import importlib
+
 import numpy as np
 from OpenGL import GL
 
-from demo_apps.chess import material
 from tests.figures.programs.stage import show
+
+chess = importlib.import_module("demo_apps.06_chess")
 
 AROUND, ACROSS = 48, 20  # pieces of the ring and of the tube
 
 
 def draw() -> None:
-    material((0.42, 0.58, 0.72, 1.0), 0.3)
+    chess.material((0.42, 0.58, 0.72, 1.0), 0.3)
     a = 2 * np.pi * (np.arange(AROUND + 1) % AROUND)[:, None] / AROUND
     b = 2 * np.pi * (np.arange(ACROSS + 1) % ACROSS) / ACROSS
     normals = np.stack(np.broadcast_arrays(np.cos(a) * np.cos(b), np.sin(a) * np.cos(b),

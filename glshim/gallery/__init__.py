@@ -1,0 +1,1 @@
+"""``glshim gallery``: one program under many styles, as a page and as a contact sheet."""

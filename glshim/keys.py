@@ -1,0 +1,128 @@
+"""Which keys do what while a program runs: the texts of GLSHIM_KEYS and GLSHIM_STYLES."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from glshim.capture.keyboard import MODIFIERS, NAMES, SPECIAL, chord
+from glshim.errors import StyleError, nearest
+
+KEYS, STYLES, SAVE = "GLSHIM_KEYS", "GLSHIM_STYLES", "GLSHIM_SAVE"
+DEFAULTS = {"cycle": "F9", "back": "shift+F9", "toggle": "F10", "save": "F11", "overlay": "F12"}
+"""The keys of ``GLSHIM_KEYS=on`` by what they do."""
+NO_KEYS = ("off", "no", "false", "0")
+ALL_KEYS = ("on", "yes", "true", "1")
+
+
+@dataclass(frozen=True, slots=True)
+class Keys:
+    """Keys by what they do."""
+
+    chords: Mapping[str, str]
+    """Action to chord, as `glshim.capture.keyboard.chord` writes it."""
+    named: frozenset[str] = frozenset()
+    """Actions whose keys the user chose: they are ours also where the program uses them."""
+
+    def action(self, pressed: str) -> str | None:
+        """What a chord does."""
+        return next((each for each, key in self.chords.items() if key == pressed), None)
+
+
+@dataclass(frozen=True, slots=True)
+class LiveSettings:
+    """What the environment asks for while the program runs."""
+
+    keys: Keys
+    styles: tuple[str, ...] = ()
+    """Texts of styles to go through; empty: all that are installed."""
+    folder: str = ""
+    """Where pictures go, absolute."""
+
+
+def parse_chord(text: str) -> str:
+    """``F9``, ``shift+F9``, ``ctrl+alt+k`` as `glshim.capture.keyboard.chord` writes it. Raises
+    `StyleError`."""
+    *modifiers, name = (part.strip() for part in text.split("+"))
+    known = {key.lower(): key for key in NAMES}
+    key = known.get(name.lower())
+    if key is None:
+        near = nearest(name, NAMES)
+        all_keys = ", ".join(("F1 to F12, A to Z, 0 to 9", *SPECIAL))
+        hint = f"did you mean {' or '.join(near)}?" if near else f"there are {all_keys}"
+        raise StyleError(f"no key is called {name!r}: {hint}")
+    for modifier in modifiers:
+        if modifier.lower() not in MODIFIERS:
+            raise StyleError(f"{modifier!r} goes with no key: there are {', '.join(MODIFIERS)}")
+    held = {modifier.lower() for modifier in modifiers}
+    if key.isdigit() and "shift" in held:
+        raise StyleError(f"{text.strip()}: a digit with shift is another key on every keyboard")
+    return chord(key, held)
+
+
+def parse_keys(text: str) -> Keys | None:
+    """``on``, ``off`` (None) or ``action=key,action=off``; actions that are not named keep their
+    keys of `DEFAULTS`. Raises `StyleError`."""
+    if text.strip().lower() in NO_KEYS:
+        return None
+    if text.strip().lower() in ALL_KEYS:
+        return Keys(DEFAULTS)
+    chords: dict[str, str] = dict(DEFAULTS)
+    named: set[str] = set()
+    for piece in filter(str.strip, text.split(",")):
+        action, equals, key = (part.strip() for part in piece.partition("="))
+        if not equals or not key:
+            raise StyleError(
+                f"{piece.strip()!r} names no key: write on, off or ACTION=KEY, "
+                f"e.g. cycle=F5,overlay=off; actions are {', '.join(DEFAULTS)}"
+            )
+        if action not in DEFAULTS:
+            near = nearest(action, DEFAULTS)
+            hint = f"did you mean {' or '.join(near)}?" if near else f"do {', '.join(DEFAULTS)}"
+            raise StyleError(f"no key can {action!r}: {hint}")
+        named.add(action)
+        chords[action] = "" if key.lower() in NO_KEYS else parse_chord(key)
+    if "cycle" in named and "back" not in named:  # back goes the same way with shift
+        forward = chords["cycle"]
+        shiftable = forward and "shift" not in forward and not forward.split("+")[-1].isdigit()
+        chords["back"] = parse_chord(f"shift+{forward}") if shiftable else ""
+        named.add("back")
+    held = {action: key for action, key in chords.items() if key}
+    for action, key in held.items():
+        other = next((a for a, k in held.items() if k == key and a != action), None)
+        if other is not None:
+            raise StyleError(f"{key} would do two things, {action} and {other}")
+    return Keys(held, frozenset(named))
+
+
+def parse_styles(text: str, folder: str = "") -> tuple[str, ...]:
+    """``raskar,sketch,mine.toml``: style texts; texts with options hold commas and are parted by
+    semicolons, ``raskar;sketch:width=3,ink=#ff0000``. Style files are taken from the folder."""
+    pieces = text.split(";" if ";" in text else ",")
+    found = [piece.strip() for piece in pieces if piece.strip()]
+    return tuple(os.path.join(folder, each) if each.endswith(".toml") else each for each in found)
+
+
+def read_environment(
+    environ: Mapping[str, str], folder: str = ""
+) -> tuple[LiveSettings | None, tuple[str, ...]]:
+    """What GLSHIM_KEYS asks for, None when it is unset, off or of no use; and a line for each
+    variable that cannot be used. Relative paths are taken from the folder."""
+    complaints: list[str] = []
+
+    def read(variable: str, parse: Callable[[str], Any], consequence: str) -> Any:
+        text = environ.get(variable, "")
+        try:
+            return parse(text) if text.strip() else None
+        except StyleError as error:
+            complaints.append(f"{variable}: {error}; {consequence}")
+            return None
+
+    keys = read(KEYS, parse_keys, "no keys are watched")
+    if keys is None:
+        return None, tuple(complaints)
+    styles = read(STYLES, lambda text: parse_styles(text, folder), "all styles are gone through")
+    save = os.path.abspath(os.path.join(folder, os.path.expanduser(environ.get(SAVE, ""))))
+    return LiveSettings(keys, styles or (), save), tuple(complaints)

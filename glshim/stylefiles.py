@@ -1,0 +1,206 @@
+"""Style files: TOML that names a style, or extends one, and gives options flat or by feature.
+
+::
+
+    extends = "charcoal"       # a look, a style, another file; or: style = "edge_mesh"
+    paper = "#d8c8a8"          # an option
+    [ridge]                    # options by feature: ridges, ridge_width, ridge_angle
+    on = true
+    width = 4
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from glshim.errors import StyleError, UnknownNameError, nearest
+from glshim.styling.protocol import Option, Styler, options_of
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+STYLE, EXTENDS = "style", "extends"
+"""The keys that say what the options are of: a style, or whatever a style text may name."""
+SWITCH = "on"
+"""The key of a feature's table that switches it."""
+
+Key = tuple[str, ...]
+_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)\Z", re.DOTALL)
+"""How TOML's readers end what they say of a fault."""
+
+
+class StyleFileError(StyleError):
+    """A style file does not hold up; the message begins with its path and the line."""
+
+
+@dataclass(frozen=True, slots=True)
+class StyleFile:
+    """A style file as it is written, read as TOML and not yet understood."""
+
+    path: Path
+    content: str
+    table: Mapping[str, Any]
+
+    @property
+    def base(self) -> tuple[str, str]:
+        """`STYLE` or `EXTENDS`, and what is named there. Raises `StyleFileError`."""
+        given = [key for key in (STYLE, EXTENDS) if key in self.table]
+        if not given:
+            raise StyleFileError(
+                f'{self.path}: a style file names its style: {STYLE} = "raskar", '
+                f'or what it extends: {EXTENDS} = "charcoal"'
+            )
+        if len(given) > 1:
+            line = self.line((STYLE,))
+            raise self.fault((EXTENDS,), f"{EXTENDS} beside {STYLE} (line {line}): give one")
+        (key,) = given
+        name = self.table[key]
+        if not isinstance(name, str):
+            raise self.fault(given, f'{key} names its style as a text: {key} = "raskar"')
+        return key, name
+
+    def options(self, styler: type[Styler]) -> dict[str, Any]:
+        """The checked values that the file gives to options of a styler. Raises
+        `StyleFileError`."""
+        values: dict[str, Any] = {}
+        places: dict[str, Key] = {}
+        for key, value in self._assignments():
+            try:
+                option = find(styler, key)
+                # A file may write a switch as the command line does.
+                words = isinstance(value, str) and option.kind == "switch"
+                checked = option.parse(value) if words else option.check(value, self.folder)
+            except StyleError as error:
+                raise self.fault(key, str(error)) from error
+            if option.name in places:
+                first = self.line(places[option.name])
+                raise self.fault(key, f"{option.name} was given before (line {first})")
+            values[option.name], places[option.name] = checked, key
+        return values
+
+    def _assignments(self) -> Iterator[tuple[Key, Any]]:
+        for key, value in self.table.items():
+            if isinstance(value, Mapping):
+                yield from (((key, inner), own) for inner, own in value.items())
+            elif key not in (STYLE, EXTENDS):
+                yield (key,), value
+
+    @property
+    def folder(self) -> str:
+        """What paths in the file are relative to."""
+        return str(self.path.parent)
+
+    def line(self, key: Sequence[str]) -> int:
+        """The line from 1 of the statement that gives a key its value.
+
+        It is found by TOML's own grammar: what lies between two beginnings of the file that can
+        be read is one statement.
+        """
+        lines = self.content.split("\n")
+        begin = 0
+        for end in range(1, len(lines) + 1):
+            try:
+                table = tomllib.loads("\n".join([*lines[:end], ""]))
+            except (ValueError, RecursionError):
+                continue
+            if _holds(table, key):
+                return begin + 1
+            begin = end
+        return len(lines)
+
+    def fault(self, key: Sequence[str], message: str) -> StyleFileError:
+        """An error at a key; the file's own texts in it may hold line ends."""
+        return StyleFileError(f"{self.path}:{self.line(key)}: {' '.join(message.splitlines())}")
+
+
+def read_style_file(path: Path) -> StyleFile:
+    """Read a file as TOML. Raises `StyleError` where it cannot be read, `StyleFileError` where it
+    is no TOML."""
+    try:
+        content = path.read_text(encoding="utf-8-sig")
+    except (OSError, ValueError) as error:  # ValueError: bytes that are no UTF-8, or no path
+        reason = getattr(error, "strerror", None) or error
+        raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
+    try:
+        return StyleFile(path, content, tomllib.loads(content))
+    except (ValueError, RecursionError) as error:  # ValueError: no TOML, or a number too long
+        found = _PLACE.match(str(error))
+        place, reason = "", str(error)
+        if found:
+            lines = content.rstrip().split("\n")
+            line, column = found[2] or len(lines), found[3] or len(lines[-1])
+            place, reason = f":{line}:{column}", found[1]
+        raise StyleFileError(f"{path}{place}: {' '.join(reason.splitlines())}") from error
+
+
+def find(styler: type[Styler], key: Key) -> Option:
+    """The option that a key stands for: its name, or its feature and the rest of its name.
+    Raises `StyleError` with the nearest right words."""
+    options = {option.name: option for option in options_of(styler)}
+    if len(key) == 1:
+        (name,) = key
+        if name not in options:
+            raise unknown(f"style {styler.name!r} has no option {name!r}", name, options)
+        return options[name]
+    feature, rest = key
+    known = features(options.values())
+    if feature not in known:
+        if feature in options:
+            default = options[feature].show(options[feature].default)
+            raise StyleError(f"{feature} is one option, no table: write {feature} = {default!r}")
+        what = f"style {styler.name!r} has no feature [{feature}]"
+        raise unknown(what, feature, known, "[{}]")
+    if rest not in known[feature]:
+        what = f"[{feature}] of style {styler.name!r} has no {rest!r}"
+        raise unknown(what, rest, known[feature])
+    return known[feature][rest]
+
+
+def features(options: Iterable[Option]) -> dict[str, dict[str, Option]]:
+    """The options of each feature by the rest of their names: ``ridge_width`` is ``width`` of
+    ``ridge``. A switch called like a feature, or like several of it (``ridges``), is its ``on``."""
+    options = tuple(options)
+    found: dict[str, dict[str, Option]] = {}
+    for option in options:
+        parts = option.name.split("_")
+        for end in range(1, len(parts)):
+            found.setdefault("_".join(parts[:end]), {})["_".join(parts[end:])] = option
+    for option in options:
+        if option.kind == "switch":
+            own = [name for name in found if option.name in _called(name)] or [option.name]
+            for name in own:
+                found.setdefault(name, {}).setdefault(SWITCH, option)
+    return found
+
+
+def _called(feature: str) -> tuple[str, ...]:
+    """One and several of a feature."""
+    several = (feature + "s", feature + "es")
+    return (feature, *several, *([feature[:-1] + "ies"] if feature.endswith("y") else []))
+
+
+def unknown(what: str, word: str, known: Iterable[str], form: str = "{}") -> UnknownNameError:
+    """The error of a word that nobody knows, with the nearest known ones, or all."""
+    known = tuple(known)
+    near = nearest(word, known)
+    if near:
+        hint = f"did you mean {' or '.join(form.format(each) for each in near)}?"
+    else:
+        listed = ", ".join(form.format(each) for each in known)
+        hint = f"there are {listed}" if listed else "it has none"
+    return UnknownNameError(f"{what}: {hint}", near)
+
+
+def _holds(table: Any, key: Sequence[str]) -> bool:
+    for part in key:
+        if not isinstance(table, Mapping) or part not in table:
+            return False
+        table = table[part]
+    return True

@@ -1,0 +1,77 @@
+"""Style ``brush``: every line painted with a brush, as NPRQuake's.
+
+A. Mohr, M. Gleicher, "Non-Invasive, Interactive, Stylized Rendering", I3D 2001; NPRQuake 2000: a
+textured quad along each side of each polygon, of nine strokes, 4 pixels wide and .20 opaque (the
+look `nprquake_brush` has these numbers). Here a stroke runs along a chain of edges from corner to
+corner, wider and darker, since each is drawn once or twice and not once a polygon; and none is
+missing, where NPRQuake leaves out the last line of each polygon of a model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers.brush.brushes import BRUSHES, brush
+from stylers.brush.paint import Paint, painted
+from stylers.hand import Hand, strokes
+
+_BRISTLES = 2.2
+"""Widths of a stroke over which the hairs of its brush leave the paper."""
+
+_FULL = 9.0
+"""Widths long is a stroke that is painted in its full width; small things are painted finer."""
+
+
+@dataclass(frozen=True)
+class Brush(Styler):
+    """Lines painted with a brush over surfaces painted in the app's colours (NPRQuake)."""
+
+    name: ClassVar[str] = "brush"
+
+    brush: str = option(
+        "pen2b",
+        help="the brush: charcoal, a fibre pen (pen1), a brush pen (pen2: full, dry), a broad nib "
+        "and a marker (pen3), or a picture; dark is ink in a grey one, others keep colours",
+        choices=BRUSHES,
+        picture=True,
+    )
+    width: float = option(7.0, help="width of an outline's stroke", low=0.5, high=64.0, unit="px")
+    inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
+    opacity: float = option(0.92, help="of one stroke", low=0.02, high=1.0)
+    layers: float = option(1.0, help="how often each line is painted", low=1.0, high=4.0)
+    jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
+    overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
+    boil: float = option(0.0, help="new strokes a second", low=0.0, high=60.0)
+    ink: Colour = option("#1f1b24", help="colour of the strokes")  # noqa: RUF009
+    paper: Colour = option("#f7f1e3", help="colour of the paper")  # noqa: RUF009
+    tint: float = option(
+        0.9, help="how much of the paper the app's own colours cover", low=0.0, high=1.0
+    )
+    dab: float = option(13.0, help="length of a dab of paint", low=3.0, high=64.0, unit="px")
+
+    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
+        image, length, coloured = brush(self.brush, self.width)
+        hand = Hand(
+            120.0,
+            240.0,
+            (self.width, self.inner * self.width),
+            (self.ink, self.ink),
+            strokes=round(self.layers),
+            opacity=self.opacity,
+            wobble=self.jitter,
+            overshoot=self.overshoot,
+            pressure=0.25,
+            taper=1.5 * self.width,
+            boil=self.boil,
+            image=image,
+            length=length,
+            coloured=coloured,
+            bristles=_BRISTLES * self.width,
+            tip=_FULL * self.width,
+        )
+        yield from strokes(hand, layer)
