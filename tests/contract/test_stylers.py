@@ -3,6 +3,8 @@ holds of glshim's own beside them."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import pytest
 from PIL import Image
 
@@ -21,8 +23,18 @@ def styler(request) -> type[Styler]:
     return registry.load(request.param)
 
 
-@pytest.mark.parametrize("check", values.CHECKS, ids=lambda check: check.title)
-@pytest.mark.parametrize("style", [*registry.names(), *looks()])
+SWEEPS = values.CHECKS[-2:]
+"""Those that go through all settings: the same for a look as for its style."""
+
+
+def checked() -> Iterator[object]:
+    """Pairs of a style and a check."""
+    for check in values.CHECKS:
+        for style in (*registry.names(), *(() if check in SWEEPS else looks())):
+            yield pytest.param(style, check, id=f"{style}-{check.title}")
+
+
+@pytest.mark.parametrize(("style", "check"), checked())
 def test_it_keeps_to_what_check_style_asks(style: str, check: Check) -> None:
     found = finding(check, parse_style(style))
     assert not found.wrong, str(found)
