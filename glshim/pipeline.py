@@ -111,6 +111,10 @@ class Pipeline:
         WATCH.detach()
         self._surface.uncover()
 
+    def release(self) -> None:
+        """Give back what the current context holds for this style alone."""
+        self._surface.release()
+
     def give_up(self, error: BaseException) -> None:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""
         if not self._broken:
@@ -255,6 +259,7 @@ def uninstall() -> None:
     global _current
     if _current is not None:
         _current.stop()
+        _current.release()
         _current = None
     if RAW.installed:
         WATCH.uninstall()

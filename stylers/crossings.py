@@ -7,15 +7,20 @@ from collections.abc import Iterable
 from glshim.styling.protocol import Colour, Draw, Layer
 from stylers.raskar import Raskar
 
-MANY = 20_000
-"""Polygons of a layer beyond which looking for crossings costs more than it shows."""
+_MANY = 20_000
+
+
+def is_dense(layer: Layer) -> bool:
+    """Whether a layer has so many polygons (20,000) that looking for crossings costs more than it
+    shows, and that hidden lines make a thicket."""
+    return sum(batch.polygon_count for batch, _ in layer.items) > _MANY
 
 
 def crossings(intersections: str, layer: Layer, width: float, ink: Colour) -> Iterable[Draw]:
     """Those of style raskar; intersections: ``auto``, ``on`` or ``off``; width in pixels."""
     if intersections == "off":
         return ()
-    if intersections == "auto" and sum(batch.polygon_count for batch, _ in layer.items) > MANY:
+    if intersections == "auto" and is_dense(layer):
         return ()
     lines = Raskar(
         silhouettes=False, ridges=False, valleys=False, intersections=True,

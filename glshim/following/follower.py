@@ -18,12 +18,12 @@ from ..capture import forward
 from ..capture.lights import lighting
 from ..capture.raw import RAW
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState, colour, normal
+from ..capture.state import DrawState, colour
 from ..notices import say_once
 from ..spec.driver import gl
 from ..spec.roles import Role
 from ..spec.shapes import Shape
-from .scene import Scene, Scenes
+from .scene import Scene, Scenes, normal_of
 
 _COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
 _PICK_AREA = 64
@@ -76,8 +76,7 @@ class Follower:
         """Of no style yet: :meth:`restyle`."""
         self.studio = studio
         self._idle = True
-        """Nothing is drawn: what lists hold and which buffers were written is all that is followed.
-        """
+        """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._wanted = POSITIONS
         self._colour = self._normal = b""
         """Records of what a primitive begins with and has until it says another, if wanted."""
@@ -112,7 +111,7 @@ class Follower:
             self._now.read_list_base()
         if self._now is not None:
             self._colour = colour() if self._recorded(self._now).colours else b""
-            self._normal = self._current_normal(self._now.drawing)
+            self._normal = normal_of(self._now.drawing, self._wanted)
 
     @contained
     def end(self, mode: int, stream: bytes) -> None:
@@ -296,7 +295,7 @@ class Follower:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
-                scene.layer.add_primitive(state, QUADS, self._current_normal(state) + stream)
+                scene.layer.add_primitive(state, QUADS, normal_of(state, self._wanted) + stream)
         else:
             try:
                 if scene.lists.open is not None:
@@ -308,17 +307,10 @@ class Follower:
                 say_once(f"unstyled: {name}, because {reason}")
                 return
             if state is not None and batch is not None:
-                current = self._current_normal(state) if batch.normals is None else b""
+                current = normal_of(state, self._wanted) if batch.normals is None else b""
                 if current:
                     batch = normals.throughout(batch, current)
                 scene.layer.add_batch(state, batch)
-
-    def _current_normal(self, state: DrawState | None) -> bytes:
-        """The record of the normal that holds where a draw says none, if wanted. A style that wants
-        lights takes it for none where nothing is lit: it is left over from something else."""
-        if not self._wanted.normals or state is None:
-            return b""
-        return b"" if self._wanted.lights and not state.camera.lit else normal()
 
     def _shape(
         self,

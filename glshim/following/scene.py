@@ -15,7 +15,7 @@ from ..assembly.layers import LayerCollector
 from ..assembly.lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
 from ..caches import AgingCache
 from ..capture.recorder import RECORDER
-from ..capture.state import DrawState, StateReader, unsupported
+from ..capture.state import DrawState, StateReader, normal, unsupported
 from ..notices import say_once
 from ..spec.attributes import BY_NAME
 from ..spec.context import has_vertex_arrays
@@ -228,6 +228,14 @@ class Scenes:
             for other in self._by_context.values():
                 if other is not scene:
                     other.lists.redefined_elsewhere(name)
+
+
+def normal_of(state: DrawState | None, wanted: Wanted) -> bytes:
+    """The record of the normal that holds where a draw says none, if wanted. A style that wants
+    lights takes it for none where nothing is lit: it is left over from something else."""
+    if not wanted.normals or state is None:
+        return b""
+    return b"" if wanted.lights and not state.camera.lit else normal()
 
 
 def _mark() -> int:

@@ -30,6 +30,7 @@ SIGNATURES.update(
         "glCopyTexSubImage2D": "uiiiiiii",
         "glCullFace": "u",
         "glDeleteBuffers": "ip",
+        "glDeleteProgram": "u",
         "glDeleteQueries": "ip",
         "glDeleteTextures": "ip",
         "glDepthFunc": "u",

@@ -69,6 +69,10 @@ class Paint:
         if self._turned_on:
             gl.glDisable(_PROGRAM_TWO_SIDE)
 
+    def release(self) -> None:
+        """Delete the program. In its context, outside glBegin/glEnd."""
+        gl.glDeleteProgram(self._program)
+
     def _ask_for_made(self) -> None:
         """Which texture coordinates GL makes by itself (glTexGen), unit by unit."""
         active = integer(_ACTIVE)

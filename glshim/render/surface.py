@@ -24,7 +24,8 @@ class Surface:
     def __init__(self) -> None:
         self._surface: str | Colour = "app"
         self._programs: dict[int, tuple[int, int]] = {}
-        self._paints: dict[int, Paint] = {}
+        self._paints: dict[tuple[int, bool], Paint] = {}
+        """By context, and whether they have textures."""
         self._blend = self._alpha = False
         self._mask = (ctypes.c_int * 4)()
         self._covered = False
@@ -75,17 +76,29 @@ class Surface:
         if self._alpha:
             gl.glEnable(_ALPHA_TEST)
 
+    def release(self) -> None:
+        """Delete what was made in the current context. Outside glBegin/glEnd."""
+        context = current_context()
+        for textures in (True, False):
+            paint = self._paints.pop((context, textures), None)
+            if paint is not None:
+                paint.release()
+        flat = self._programs.pop(context, None)
+        if flat is not None:
+            gl.glDeleteProgram(flat[0])
+
     def forget(self) -> None:
         """What was made in the current context is gone."""
-        self._programs.pop(current_context(), None)
-        self._paints.pop(current_context(), None)
+        context = current_context()
+        self._programs.pop(context, None)
+        for textures in (True, False):
+            self._paints.pop((context, textures), None)
 
     def _paint(self) -> Paint:
-        context = current_context()
-        found = self._paints.get(context)
-        if found is None:
-            found = self._paints[context] = Paint(textures=self._surface == "paint")
-        return found
+        key = current_context(), self._surface == "paint"
+        if key not in self._paints:
+            self._paints[key] = Paint(textures=key[1])
+        return self._paints[key]
 
     def _program(self) -> tuple[int, int]:
         context = current_context()

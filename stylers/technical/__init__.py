@@ -15,7 +15,7 @@ from glshim.geometry.lights import Light
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options
-from stylers.crossings import crossings
+from stylers.crossings import crossings, is_dense
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import tone_passes
 from stylers.shading import (
@@ -71,8 +71,9 @@ class Technical(Styler):
         False, help="ridges that are seen in white, as light catches them, not in ink"
     )
     hidden: str = option(
-        "dashed", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
-    )
+        "auto", help="lines behind surfaces; auto: dashed of what has at most 20,000 polygons",
+        choices=("auto", "none", "dashed", "dimmed", "solid"),
+    )  # fmt: skip
     hidden_share: float = option(
         0.4, help="share of the ink of hidden lines that are dashed or solid", low=0.0, high=1.0
     )
@@ -107,7 +108,7 @@ class Technical(Styler):
             lamps = lamp_uniforms((self._lamp(layer),), lens)
             yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
         yield from tone_passes("app", self.paper, self.ink, layer)
-        for lines in (self._inner, self._outlines):
+        for lines in (self._inner(layer), self._outlines):
             yield from lines.draws(layer)
         yield from crossings(self.intersections, layer, self.line_width, self.ink)
 
@@ -115,17 +116,19 @@ class Technical(Styler):
         given = layer.lighting.lights if layer.lighting is not None else ()
         return given[0] if given and self.light == "app" else UPPER_LEFT
 
-    @property
-    def _inner(self) -> EdgeMesh:
+    def _inner(self, layer: Layer) -> EdgeMesh:
         """Fine lines, which go on where they are hidden: of outlines, too."""
+        hidden = self.hidden
+        if hidden == "auto":
+            hidden = "none" if is_dense(layer) else "dashed"
         ridge = _WHITE if self.white_edges else self.ink
         return EdgeMesh(
             ridge_angle=180.0 - self.crease_angle, valley_angle=180.0 + self.crease_angle,
             contour_width=self.line_width, boundary_width=self.line_width,
             ridge_width=self.line_width, valley_width=self.line_width,
             contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge, valley_ink=self.ink,
-            hidden=self.hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
-            contours=self.hidden != "none",
+            hidden=hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
+            contours=hidden != "none",
         )  # fmt: skip
 
     @property

@@ -57,6 +57,20 @@ def test_styles_switched_often_make_no_new_buffers(window: None) -> None:
     assert frame() == plain
 
 
+def test_styles_that_paint_give_their_programs_back(window: None) -> None:
+    before = int(GL.glCreateProgram())
+    for style in ("cartoon", "technical:textures=off", "raskar:fill=#ff0000") * 4:
+        glshim.install(style)
+        frame()
+    glshim.uninstall()
+    # What mesh and line shaders are compiled to is kept; of each surface no program is.
+    kept = [name for name in range(1, before + 200) if GL.glIsProgram(name)]
+    glshim.install("cartoon")
+    frame()
+    glshim.uninstall()
+    assert [name for name in range(1, before + 200) if GL.glIsProgram(name)] == kept
+
+
 def test_a_new_context_at_an_old_address_gets_a_backend_of_its_own() -> None:
     """The app's own vertex array objects there have the names that ours had in the old one."""
     pictures = set()

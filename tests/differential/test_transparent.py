@@ -53,8 +53,12 @@ def styled_scenes() -> Iterator[object]:
 @pytest.mark.parametrize(("name", "style"), styled_scenes())
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
     found = plain(name).differences(run(SCENES[name], style), pictures=False)
-    if style.startswith(("cartoon", "technical")):  # what paints comes before the app's own program
+    if style.startswith(("cartoon", "technical", "hiddenline")):  # ours came before
         assert all(min(numbers) > 0 for numbers in found.pop("GL_CURRENT_PROGRAM", ()))
+    if style.startswith(("cartoon:textures=off", "hiddenline")) and "clip" in name:
+        # Mesa clips the fixed function's polygons in clip space, those of a program in eye space:
+        # a rounding apart.
+        assert found.pop("depth", 0) < 16
     assert found == {}
 
 

@@ -318,3 +318,15 @@ def test_crossings_are_looked_for_where_polygons_are_few():
     few, many = look.cube(), look.sphere(200, 120)
     assert [looks(few, word) for word in ("auto", "on", "off")] == [True, True, False]
     assert [looks(many, word) for word in ("auto", "on", "off")] == [False, True, False]
+
+
+def test_dense_meshes_have_no_thicket_of_hidden_lines():
+    camera = Camera(look.look_at((3, 2, 2.5)), look.perspective(), (0, 0, 400, 400))
+
+    def shares(mesh, hidden):
+        draws = Technical(hidden=hidden).draws(Layer(((mesh, camera),)))
+        return {one.uniforms["hidden_share"] for one in draws if hasattr(one, "choice")}
+
+    few, many = look.cube(), look.sphere(200, 120)
+    assert shares(few, "auto") == shares(few, "dashed") == shares(many, "dashed") == {0.0, 0.4}
+    assert shares(many, "auto") == {0.0}
