@@ -22,7 +22,7 @@ from stylers.hand import Hand, strokes
 _BRISTLES = 2.2
 """Widths of a stroke over which the hairs of its brush leave the paper."""
 
-_FULL = 9.0
+_FULL = 7.0
 """Widths long is a stroke that is painted in its full width; small things are painted finer."""
 
 
