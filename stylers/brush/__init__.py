@@ -15,9 +15,9 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
-from stylers.brush.brushes import BRUSHES, brush
 from stylers.brush.paint import Paint, painted
 from stylers.hand import Hand, strokes
+from stylers.strokes.brushes import BRUSHES, brush
 
 _BRISTLES = 2.2
 """Widths of a stroke over which the hairs of its brush leave the paper."""
