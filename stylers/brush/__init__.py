@@ -15,14 +15,14 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
-from stylers.brush.brushes import BRUSHES, brush
 from stylers.brush.paint import Paint, painted
 from stylers.hand import Hand, strokes
+from stylers.strokes.brushes import BRUSHES, brush
 
 _BRISTLES = 2.2
 """Widths of a stroke over which the hairs of its brush leave the paper."""
 
-_FULL = 9.0
+_FULL = 7.0
 """Widths long is a stroke that is painted in its full width; small things are painted finer."""
 
 

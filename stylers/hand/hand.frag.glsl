@@ -36,7 +36,7 @@ void main() {
     float left = min(ends.x, ends.y);
     float half_width = extent.y * (1.0 + pressure * motion(at, 11.0));
     half_width *= tip > 0.0 ? mix(0.3, 1.0, smoothstep(0.0, tip, stroke_length())) : 1.0;
-    half_width *= taper > 0.0 ? mix(0.35, 1.0, smoothstep(0.0, taper, left)) : 1.0;
+    half_width *= taper > 0.0 ? mix(0.35, 1.0, smoothstep(0.0, min(taper, 0.3 * stroke_length()), left)) : 1.0;
     float off = length(vec2(past, s));
     // Finer than a pixel is fainter, not finer.
     float cover = clamp(max(half_width, 0.5) + 0.5 - off, 0.0, 1.0) * min(half_width / 0.5, 1.0);

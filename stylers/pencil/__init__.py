@@ -14,10 +14,10 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
-from stylers.brush.brushes import brush
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
 from stylers.pencil.rubbing import Rubbing, rubbed
+from stylers.strokes.brushes import brush
 
 
 @dataclass(frozen=True)

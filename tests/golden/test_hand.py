@@ -16,11 +16,11 @@ from glshim.geometry.chains import Pattern
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer, Styler
 from stylers.brush import Brush
-from stylers.brush.brushes import BRUSHES, brush
 from stylers.edge_mesh import EdgeMesh
 from stylers.hand import Hand, strokes
 from stylers.pencil import Pencil
 from stylers.sketch import Sketch
+from stylers.strokes.brushes import BRUSHES, brush
 from tests import coherence, look
 from tests.golden.test_legacy import widened
 
