@@ -50,7 +50,7 @@ def test_they_use_three_toolkits_and_each_way_of_drawing() -> None:
 
 
 def test_as_a_file_each_runs_and_shows_something(tmp_path: Path) -> None:
-    """As modules they run in test_programs; here as files, from elsewhere, nothing installed."""
+    """As modules they run in test_programs; here as files, and from another folder."""
     try:
         with virtual_screen() as display:
             for path in NUMBERED:
