@@ -1,7 +1,8 @@
 """Style ``technical``: an illustration as in a manual, with tones from cool to warm and fine lines.
 
 A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
-Technical Illustration", SIGGRAPH 1998.
+Technical Illustration", SIGGRAPH 1998. Its numbers, for pale paints, are those of the look ``gooch``;
+programs have strong ones, which keep more of their own here.
 """
 
 from __future__ import annotations
@@ -40,12 +41,12 @@ class Technical(Styler):
 
     name: ClassVar[str] = "technical"
 
-    blue: float = option(0.4, help="blue of the cool tone (the paper's b)", low=0.0, high=1.0)
+    blue: float = option(0.25, help="blue of the cool tone (the paper's b)", low=0.0, high=1.0)
     yellow: float = option(
-        0.4, help="red and green of the warm tone (the paper's y)", low=0.0, high=1.0
+        0.2, help="red and green of the warm tone (the paper's y)", low=0.0, high=1.0
     )
-    alpha: float = option(0.2, help="share of the paint in the cool tone", low=0.0, high=1.0)
-    beta: float = option(0.6, help="share of the paint in the warm tone", low=0.0, high=1.0)
+    alpha: float = option(0.35, help="share of the paint in the cool tone", low=0.0, high=1.0)
+    beta: float = option(0.75, help="share of the paint in the warm tone", low=0.0, high=1.0)
     highlight: float = option(
         0.4, help="brightness of highlights, where surfaces of shiny materials are bent",
         low=0.0, high=1.0,

@@ -128,7 +128,7 @@ def test_tones_are_those_of_gooch(backend, paint):
     base = PAINT if paint == "app" else (64 / 255, 192 / 255, 128 / 255)
     wanted = gooch(
         np.full((len(normals), 3), base), normals @ (way / np.linalg.norm(way)),
-        blue=0.4, yellow=0.4, alpha=0.2, beta=0.6,
+        blue=style.blue, yellow=style.yellow, alpha=style.alpha, beta=style.beta,
     )  # fmt: skip
     assert np.abs(picture[hit] - wanted).max() < 4 / 255
 
@@ -140,7 +140,7 @@ def test_the_light_may_be_the_apps(backend):
     way = np.asarray(SUN.position[:3])
     wanted = gooch(
         np.full((len(normals), 3), PAINT), normals @ (way / np.linalg.norm(way)),
-        blue=0.4, yellow=0.4, alpha=0.2, beta=0.6,
+        blue=style.blue, yellow=style.yellow, alpha=style.alpha, beta=style.beta,
     )  # fmt: skip
     assert np.abs(picture[hit] - wanted).max() < 4 / 255
 
