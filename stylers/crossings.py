@@ -16,11 +16,14 @@ def is_dense(layer: Layer) -> bool:
     return sum(batch.polygon_count for batch, _ in layer.items) > _MANY
 
 
+def looked_for(intersections: str, layer: Layer) -> bool:
+    """Whether they are: ``on``, ``off``, or ``auto``: where a layer is not dense."""
+    return intersections == "on" or (intersections == "auto" and not is_dense(layer))
+
+
 def crossings(intersections: str, layer: Layer, width: float, ink: Colour) -> Iterable[Draw]:
     """Those of style raskar; intersections: ``auto``, ``on`` or ``off``; width in pixels."""
-    if intersections == "off":
-        return ()
-    if intersections == "auto" and is_dense(layer):
+    if not looked_for(intersections, layer):
         return ()
     lines = Raskar(
         silhouettes=False, ridges=False, valleys=False, intersections=True,

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry import edges
 from glshim.geometry.edges import Doubles, Flags, Indices
+from glshim.geometry.hand import ENDLESS
 from glshim.geometry.lines import ASKEW, INTERSECTION, RECORD
 from glshim.geometry.vectors import cross, unit
 
@@ -204,6 +205,7 @@ def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np
     made[:, 9:12] = np.where(later, normals[1], normals[0])
     made[:, 12:15] = np.where(later, normals[0], normals[1])
     made[:, 15] = INTERSECTION
+    made[:, 18:20] = ENDLESS  # no hand lifts its pen where one triangle ends
     return made
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import groupby
 
 import moderngl
 import numpy as np
+from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
@@ -20,7 +21,7 @@ from glshim.render.crossings import Crossings
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import current_context, integer
 from glshim.render.guard import Guard, possible
-from glshim.render.harvest import Harvest
+from glshim.render.harvest import Harvest, name_of
 from glshim.render.laying import Layer
 from glshim.render.legacy import LegacyPen
 from glshim.render.passes import Runner
@@ -52,6 +53,8 @@ class Backend:
         self._textures = Textures()
         self._layer: Layer | None = None
         self._runner: Runner | None = None
+        self._met: dict[Hashable, NDArray[np.float32]] = {}
+        """Where polygons of a group of the layer cross each other."""
         self._cache_bytes = cache_bytes
 
     @classmethod
@@ -88,6 +91,7 @@ class Backend:
         `RenderError` when a shader does not compile.
         """
         self._harvest.tick()
+        self._met.clear()
         if self._crossings is not None:
             self._crossings.tick()
         if self._runner is not None:
@@ -148,10 +152,7 @@ class Backend:
             if crossing and self._crossings is None:
                 say_once(f"{UNAVAILABLE}; the other lines are drawn")
             elif crossing and self._crossings:
-                found = self._crossings.find(group, greater=greater, bits=bits)
-                if first.choice.pattern is not None:
-                    lay_pattern(found, first.camera, first.choice.pattern)
-                records = np.concatenate((records, found))
+                records = np.concatenate((records, self._crossed(group, greater, bits)))
             if not len(records):
                 continue
             camera, away = turned(first.camera, greater)
@@ -165,6 +166,21 @@ class Backend:
         stencil(groups[0][0].camera)
         tidy = all(group[0].image is None for group in groups)
         self._canvas.put_over(window, box, tidy=tidy)
+
+
+    def _crossed(
+        self, group: list[Draw], greater: bool, bits: int
+    ) -> NDArray[np.float32]:
+        """Records of the crossings of a group's polygons, found once a layer."""
+        name, first = name_of(group), group[0]
+        found = self._met.get(name)
+        if found is None:
+            assert self._crossings is not None and isinstance(first.choice, Choice)
+            found = self._crossings.find(group, greater=greater, bits=bits)
+            if first.choice.pattern is not None:
+                lay_pattern(found, first.camera, first.choice.pattern)
+            self._met[name] = found
+        return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,11 @@ _LARGE = 4096
 """Corners from which a batch is looked through on its own rather than gathered with others."""
 
 
+def name_of(group: Sequence[Draw]) -> Hashable:
+    """What tells the lines of groups of one layer apart."""
+    return group[0].choice, tuple((id(one.batch), id(one.camera)) for one in group)
+
+
 class Harvest:
     """Finds lines. cache_bytes bounds the memory of the edges of batches with a key."""
 
@@ -29,11 +34,11 @@ class Harvest:
         self.objects = Objects(cache_bytes)
         self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
         self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
-        self._last: tuple[Hashable, NDArray[np.float32]] | None = None
+        self._known: dict[Hashable, NDArray[np.float32]] = {}
 
     def tick(self) -> None:
         """A layer has passed."""
-        self._last = None
+        self._known.clear()
         self._cache.tick()
         self.objects.tick()
         self._past.tick()
@@ -42,10 +47,11 @@ class Harvest:
         """(L, 21) `glshim.geometry.lines` of draws alike in all but batch and modelview, or the
         features of the meshes that they make together. The same lines drawn on several sheets of a
         layer are found once."""
-        name = (group[0].choice, tuple((id(one.batch), id(one.camera)) for one in group))
-        if self._last is None or self._last[0] != name:
-            self._last = name, self._found(group)
-        return self._last[1]
+        name = name_of(group)
+        found = self._known.get(name)
+        if found is None:
+            found = self._known[name] = self._found(group)
+        return found
 
     def _found(self, group: Sequence[Draw]) -> NDArray[np.float32]:
         choice = group[0].choice

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers import options
 from stylers.blueprint.dimensions import dimensions
 from stylers.hand import Hand, strokes
 from stylers.hand.paper import Paper, under
@@ -42,6 +43,7 @@ class Blueprint(Styler):
         0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
     )
     seed: float = option(0.0, help="another one draws with other motions", low=0.0, high=999.0)
+    intersections: str = options.intersections()
     ink: Colour = option("#ffffff", help="colour of the lines")  # noqa: RUF009
     paper: Colour = option("#000080", help="colour of the paper")  # noqa: RUF009
 
@@ -58,7 +60,7 @@ class Blueprint(Styler):
             (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
             wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
             pressure=0.1, corner=30.0, seed=round(self.seed), tolerance=self.tolerance,
-            scale=layer.scale,
+            scale=layer.scale, intersections=self.intersections,
         )  # fmt: skip
         yield from strokes(hand, layer)
         if self.dimensions:

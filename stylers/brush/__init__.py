@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers import options
 from stylers.brush.paint import Paint, painted
 from stylers.hand import Hand, strokes
 from stylers.strokes.brushes import BRUSHES, brush
@@ -46,6 +47,7 @@ class Brush(Styler):
     jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
     boil: float = option(0.0, help="new strokes a second", low=0.0, high=60.0)
+    intersections: str = options.intersections()
     ink: Colour = option("#1f1b24", help="colour of the strokes")  # noqa: RUF009
     paper: Colour = option("#f7f1e3", help="colour of the paper")  # noqa: RUF009
     tint: float = option(
@@ -73,6 +75,6 @@ class Brush(Styler):
             coloured=coloured,
             bristles=_BRISTLES * self.width,
             tip=_FULL * self.width,
-            scale=layer.scale,
+            scale=layer.scale, intersections=self.intersections,
         )
         yield from strokes(hand, layer)

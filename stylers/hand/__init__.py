@@ -16,9 +16,10 @@ from math import cos, floor, radians, sin
 
 from glshim.geometry.chains import Pattern
 from glshim.geometry.feature_lines import Features
-from glshim.geometry.lines import GROUPS
+from glshim.geometry.lines import GROUPS, Choice
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Uniform
+from stylers.crossings import looked_for
 from stylers.hand.expansion import expand
 
 _HERE = files(__package__)
@@ -83,6 +84,8 @@ class Hand:
     """Contours run through polygons (`Features.smooth`)."""
     suggestive: bool = False
     tolerance: float = 0.0
+    intersections: str = "off"
+    """Lines where polygons pass through each other: on, off, or auto (`stylers.crossings`)."""
     image: Image | None = None
     """A brush."""
     length: float = _PERIOD
@@ -115,20 +118,27 @@ def features(hand: Hand) -> Features:
         smooth=hand.smooth,
         suggestive=hand.suggestive,
         tolerance=hand.tolerance,
-        pattern=Pattern((hand.period,) * GROUPS, 0.0, radians(hand.corner)),
+        pattern=_pattern(hand),
     )
+
+
+def _pattern(hand: Hand) -> Pattern:
+    return Pattern((hand.period,) * GROUPS, 0.0, radians(hand.corner))
 
 
 def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
     """Every line so often as the hand draws it, each time on a sheet of its own."""
-    wanted = features(hand)
+    choices: list[Choice | Features] = [features(hand)]
+    if looked_for(hand.intersections, layer):
+        choices.append(Choice(False, None, intersections=True, pattern=_pattern(hand)))
     common = uniforms(hand)
     tick = floor(layer.time * hand.boil) % 997
     for number in range(hand.strokes):
         seed = float((31 * hand.seed + 7 * number + 13 * tick) % 1009)
         drawn = {**common, "jitter_seed": seed / 101.0}
-        for batch, camera in layer.items:
-            yield Draw(batch, camera, wanted, shader(), drawn, hand.image, sheet=number)
+        for choice in choices:
+            for batch, camera in layer.items:
+                yield Draw(batch, camera, choice, shader(), drawn, hand.image, sheet=number)
 
 
 def uniforms(hand: Hand) -> dict[str, Uniform]:

@@ -14,6 +14,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers import options
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
 from stylers.pencil.rubbing import Rubbing, rubbed
@@ -38,6 +39,7 @@ class Pencil(Styler):
     coloured: float = option(
         0.0, help="the app's own colours: 0 graphite, 1 coloured pencils", low=0.0, high=1.0
     )
+    intersections: str = options.intersections()
     ink: Colour = option("#2b2a2d", help="colour of the graphite")  # noqa: RUF009
     paper: Colour = option("#f8f6f0", help="colour of the paper")  # noqa: RUF009
 
@@ -62,6 +64,6 @@ class Pencil(Styler):
             strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
             overshoot=self.overshoot, pressure=0.35, taper=18.0 * layer.scale,
             tip=50.0 * layer.scale, boil=self.boil, scale=layer.scale,
-            image=image, length=length,
+            image=image, length=length, intersections=self.intersections,
         )  # fmt: skip
         yield from strokes(hand, layer)

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from stylers import options
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
 from stylers.hand.paper import Paper, under
@@ -26,6 +27,7 @@ class Sketch(Styler):
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
     boil: float = option(0.0, help="new jitter a second", low=0.0, high=60.0)
     hatching: float = option(0.8, help="of dark places", low=0.0, high=1.0)
+    intersections: str = options.intersections()
     ink: Colour = option("#1b1b1e", help="colour of the strokes")  # noqa: RUF009
     paper: Colour = option("#faf8f2", help="colour of the paper")  # noqa: RUF009
     tint: float = option(0.3, help="how much of the app's own colours", low=0.0, high=1.0)
@@ -48,6 +50,6 @@ class Sketch(Styler):
             120.0, 240.0, (self.width, self.width), (self.ink, self.ink),
             strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
             overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, boil=self.boil,
-            scale=layer.scale,
+            scale=layer.scale, intersections=self.intersections,
         )
         yield from strokes(hand, layer)

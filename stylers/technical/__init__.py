@@ -1,7 +1,7 @@
 """Style ``technical``: an illustration as in a manual, with tones from cool to warm and fine lines.
 
 A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
-Technical Illustration", SIGGRAPH 1998. Its numbers, for pale paints, are those of the look ``gooch``;
+Technical Illustration", SIGGRAPH 1998. Its numbers, for pale paints, are the look ``gooch``;
 programs have strong ones, which keep more of their own here.
 """
 

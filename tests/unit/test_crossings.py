@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from glshim.geometry import crossings
+from glshim.geometry.hand import ENDLESS
 from glshim.geometry.lines import INTERSECTION, RECORD
 from glshim.render.laying import triangles as fans
 from tests import look
@@ -239,7 +240,8 @@ def test_records():
     assert (made[:, 3:6] == made[:, 6:9]).all()
     assert np.allclose(np.abs(made[:, 9:12]), (0, 0, 1), atol=1e-6)
     assert np.allclose(np.abs(made[:, 12:15]), (0, 1, 0), atol=1e-6)
-    assert (made[:, 15] == INTERSECTION).all() and not made[:, 16:].any()
+    assert (made[:, 15] == INTERSECTION).all() and not made[:, (16, 17, 20)].any()
+    assert (made[:, 18:20] == ENDLESS).all()
 
 
 def test_nothing_comes_of_nothing():
