@@ -20,10 +20,10 @@ if TYPE_CHECKING:
         UnknownNameError,
     )
     from glshim.geometry.camera import Camera
-    from glshim.geometry.creases import Criterion
-    from glshim.geometry.feature_lines import Features
-    from glshim.geometry.lines import Choice
-    from glshim.geometry.poses import Keyframes, Skin
+    from glshim.geometry.crease.creases import Criterion
+    from glshim.geometry.passes.poses import Keyframes, Skin
+    from glshim.geometry.strokes.feature_lines import Features
+    from glshim.geometry.strokes.lines import Choice
     from glshim.options import parse_style
     from glshim.pipeline import install, uninstall
     from glshim.styling.fixed import BackFaces
@@ -47,10 +47,10 @@ _HOMES = {
     "glshim.options": ("parse_style",),
     "glshim.assembly.batch": ("PolygonBatch",),
     "glshim.geometry.camera": ("Camera",),
-    "glshim.geometry.creases": ("Criterion",),
-    "glshim.geometry.feature_lines": ("Features",),
-    "glshim.geometry.lines": ("Choice",),
-    "glshim.geometry.poses": ("Keyframes", "Skin"),
+    "glshim.geometry.crease.creases": ("Criterion",),
+    "glshim.geometry.strokes.feature_lines": ("Features",),
+    "glshim.geometry.strokes.lines": ("Choice",),
+    "glshim.geometry.passes.poses": ("Keyframes", "Skin"),
     "glshim.styling.fixed": ("BackFaces",),
     "glshim.styling.passes": ("Body", "MeshShader", "Pass", "Sieve", "State", "Stencil", "bodies"),
     "glshim.styling.pictures": ("Image", "read_image"),

@@ -16,11 +16,11 @@ import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
-from glshim.geometry.chains import Pattern
-from glshim.geometry.coherence import Past
-from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.screen import window
+from glshim.geometry.strokes.chains import Pattern
+from glshim.geometry.strokes.coherence import Past
+from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
+from glshim.geometry.strokes.screen import window
 from tests import look
 
 LENGTH = 40.0

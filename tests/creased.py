@@ -1,7 +1,7 @@
 """Where style crease's ink belongs: capsules around lines that are seen, in float64.
 
 Creases and their visibility are those of `tests.score`, from exact ray tests. Smooth silhouettes
-are zeros of n.c (`glshim.geometry.crease_quads.silhouettes`, which has tests of its own); they are
+are zeros of n.c (`glshim.geometry.crease.quads.silhouettes`, which has tests of its own); they are
 surely seen where something farther is drawn beyond them, unless they end in a cusp nearby
 (D. DeCarlo et al., "Suggestive Contours for Conveying Shape", 2003: the radial curvature).
 """
@@ -14,10 +14,10 @@ import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
-from glshim.geometry.crease_quads import Silhouettes, silhouettes
-from glshim.geometry.creases import Creases, creases
+from glshim.geometry.crease.creases import Creases, creases
+from glshim.geometry.crease.quads import Silhouettes, silhouettes
 from glshim.geometry.recovery.mesh import mesh as recovered
-from glshim.render.passes import seen_from
+from glshim.render.passes.runner import seen_from
 from tests import look
 from tests.score import sight, truth
 

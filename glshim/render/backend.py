@@ -13,19 +13,19 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import RenderError
 from glshim.geometry.camera import Camera
-from glshim.geometry.lines import Choice, lay_pattern
+from glshim.geometry.strokes.lines import Choice, lay_pattern
 from glshim.notices import say_once
 from glshim.render.cameras import box_of, grouped, hair_of, scissor, stencil, turned
-from glshim.render.canvas import Canvas
-from glshim.render.crossings import Crossings
 from glshim.render.depth import Box, DepthCopy
 from glshim.render.driver import current_context, integer
 from glshim.render.guard import Guard, possible
-from glshim.render.harvest import Harvest, name_of
-from glshim.render.laying import Layer
-from glshim.render.legacy import LegacyPen
-from glshim.render.passes import Runner
-from glshim.render.pen import Pen
+from glshim.render.lines.canvas import Canvas
+from glshim.render.lines.crossings import Crossings
+from glshim.render.lines.harvest import Harvest, name_of
+from glshim.render.lines.laying import Layer
+from glshim.render.lines.legacy import LegacyPen
+from glshim.render.lines.pen import Pen
+from glshim.render.passes.runner import Runner
 from glshim.render.plain import plainly
 from glshim.render.textures import Textures
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text

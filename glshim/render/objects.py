@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.caches import AgingCache
-from glshim.geometry.creases import Creases, Criterion, creases
-from glshim.geometry.edges import join
-from glshim.geometry.feature_lines import EdgeLines
-from glshim.geometry.folds import Topology
+from glshim.geometry.crease.creases import Creases, Criterion, creases
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.geometry.strokes.edges import join
+from glshim.geometry.strokes.feature_lines import EdgeLines
+from glshim.geometry.strokes.folds import Topology
 from glshim.notices import say_once
 
 

@@ -31,7 +31,7 @@ class Paint:
     def __init__(self, *, textures: bool) -> None:
         """textures: whether the app's textures stay on; without them its fog goes, too."""
         self._textures = textures
-        shaders = files(__package__) / "shaders"
+        shaders = files("glshim.render") / "shaders"
         vertex = (shaders / "paint.vert.glsl").read_text("utf-8")
         fragment = "" if textures else (shaders / "paint.frag.glsl").read_text("utf-8")
         self._program = compiled("paint", vertex, fragment)

@@ -108,6 +108,7 @@ class Surface:
 
 
 def _compile() -> tuple[int, int]:
-    texts = ((files(__package__) / "shaders" / f"surface.{kind}.glsl") for kind in ("vert", "frag"))
+    shaders = files("glshim.render") / "shaders"
+    texts = (shaders / f"surface.{kind}.glsl" for kind in ("vert", "frag"))
     program = compiled("surface", *(text.read_text("utf-8") for text in texts))
     return program, int(gl.glGetUniformLocation(program, b"colour"))

@@ -32,8 +32,8 @@ from numpy.typing import NDArray
 from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
 from glshim.geometry.camera import Camera
-from glshim.geometry.feature_lines import Features
-from glshim.geometry.lines import Choice
+from glshim.geometry.strokes.feature_lines import Features
+from glshim.geometry.strokes.lines import Choice
 from glshim.styling.fixed import BackFaces
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image, read_image
@@ -227,9 +227,9 @@ class Expand(Protocol):
         hair: float,
         blur: float,
     ) -> Expansion:
-        """Strips of records (L, 21), see `glshim.geometry.lines.RECORD`. The camera's depth range
-        is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by which
-        depths may not be those of pixel centres."""
+        """Strips of records (L, 21), see `glshim.geometry.strokes.lines.RECORD`. The camera's depth
+        range is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by
+        which depths may not be those of pixel centres."""
 
 
 @dataclass(frozen=True, slots=True)

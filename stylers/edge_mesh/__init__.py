@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 from math import cos, radians, sin
 from typing import Any, ClassVar, cast
 
-from glshim.geometry.chains import Pattern
-from glshim.geometry.feature_lines import Features
-from glshim.geometry.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
-from glshim.geometry.raskar import INWARD
+from glshim.geometry.strokes.chains import Pattern
+from glshim.geometry.strokes.feature_lines import Features
+from glshim.geometry.strokes.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
+from glshim.geometry.strokes.raskar import INWARD
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option

@@ -8,7 +8,7 @@ from functools import cache
 from importlib.resources import files
 from math import floor, isfinite, radians
 
-from glshim.geometry.creases import Criterion
+from glshim.geometry.crease.creases import Criterion
 from glshim.styling.passes import MeshShader, Pass, State, bodies
 from glshim.styling.protocol import Colour, Layer, Uniform
 from stylers.edge_mesh.tones import grain

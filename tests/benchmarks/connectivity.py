@@ -12,10 +12,10 @@ from time import perf_counter
 import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.creases import Creases, creases
+from glshim.geometry.crease.creases import Creases, creases
+from glshim.geometry.crease.smoothing_groups import by_traversal
 from glshim.geometry.recovery.mesh import mesh, weld
 from glshim.geometry.recovery.meshes import Meshes
-from glshim.geometry.smoothing_groups import by_traversal
 
 # Name, triangles, and Hajagos's milliseconds: adjacency alone, with creases.
 PAPER = (

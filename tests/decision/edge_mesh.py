@@ -17,12 +17,12 @@ import numpy as np
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera
-from glshim.geometry.edge_mesh import features
+from glshim.geometry.passes.edge_mesh import features
 from glshim.render.backend import Backend
 from glshim.render.depth import DepthCopy
 from glshim.render.guard import Guard
 from glshim.render.objects import Objects
-from glshim.render.passes import Runner, seen_from
+from glshim.render.passes.runner import Runner, seen_from
 from glshim.styling.passes import Body, MeshShader, Pass
 from tests import look
 from tests.score import meshes as scored

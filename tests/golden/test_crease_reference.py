@@ -1,4 +1,4 @@
-"""The quads of the GPU are the numpy references' (glshim/geometry/crease_quads.py)."""
+"""The quads of the GPU are the numpy references' (glshim/geometry/crease/quads.py)."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.crease_quads import crease_quads, silhouette_quads, silhouettes
-from glshim.geometry.creases import creases
+from glshim.geometry.crease.creases import creases
+from glshim.geometry.crease.quads import crease_quads, silhouette_quads, silhouettes
 from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.render.depth import DepthCopy
 from glshim.render.guard import Guard
-from glshim.render.passes import seen_from
+from glshim.render.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from stylers.crease import CREASES, SILHOUETTES
 from tests import creased, look

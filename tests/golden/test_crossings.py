@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry import crossings as geometry
 from glshim.geometry.camera import Camera
-from glshim.geometry.lines import Choice
+from glshim.geometry.strokes import crossings as geometry
+from glshim.geometry.strokes.lines import Choice
 from glshim.render.cameras import grouped
-from glshim.render.crossings import Crossings
 from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
 from glshim.render.guard import Guard
-from glshim.render.laying import triangles as fans
+from glshim.render.lines.crossings import Crossings
+from glshim.render.lines.laying import triangles as fans
 from glshim.render.plain import _OFF
 from glshim.styling.protocol import Draw
 from stylers.raskar import SHADER

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.screen import window
+from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
+from glshim.geometry.strokes.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
+from glshim.geometry.strokes.screen import window
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.edge_mesh import EdgeMesh

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry import thick_lines
 from glshim.geometry.camera import Camera
-from glshim.geometry.edge_mesh import features
-from glshim.geometry.poses import Keyframes, Skin
-from glshim.geometry.sieve import EdgeSieve
+from glshim.geometry.passes import thick_lines
+from glshim.geometry.passes.edge_mesh import features
+from glshim.geometry.passes.poses import Keyframes, Skin
+from glshim.geometry.passes.sieve import EdgeSieve
 from glshim.render.backend import Backend
 from glshim.render.depth import DepthCopy
 from glshim.render.guard import Guard
-from glshim.render.passes import seen_from
+from glshim.render.passes.runner import seen_from
 from glshim.styling.passes import Body
 from glshim.styling.protocol import Layer
 from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes

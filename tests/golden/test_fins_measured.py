@@ -10,7 +10,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.extent import Extent
+from glshim.geometry.passes.extent import Extent
 from glshim.geometry.recovery.mesh import mesh
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer

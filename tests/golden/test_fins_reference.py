@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.fins import drawn_sides, facing, fins
+from glshim.geometry.passes.fins import drawn_sides, facing, fins
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.render.depth import DepthCopy

@@ -17,8 +17,8 @@ from OpenGL import GL
 from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
 from glshim.render.backend import Backend
-from glshim.render.meshes import Residents
 from glshim.render.objects import Objects
+from glshim.render.passes.meshes import Residents
 from glshim.styling.protocol import Layer
 from stylers.fur import Fur
 from tests import look

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.chains import Pattern
+from glshim.geometry.strokes.chains import Pattern
 from glshim.render.backend import Backend
 from glshim.styling.protocol import Layer, Styler
 from stylers.brush import Brush

@@ -10,12 +10,12 @@ import pytest
 from OpenGL import GL
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import edges
-from glshim.geometry.gather import Places
-from glshim.geometry.lines import RIDGE, Choice, lines
+from glshim.geometry.strokes.edges import edges
+from glshim.geometry.strokes.gather import Places
+from glshim.geometry.strokes.lines import RIDGE, Choice, lines
 from glshim.render.backend import Backend
 from glshim.render.driver import gl
-from glshim.render.laying import triangles
+from glshim.render.lines.laying import triangles
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle

@@ -10,11 +10,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from glshim.geometry import raskar
 from glshim.geometry.camera import Camera
-from glshim.geometry.edges import edges
-from glshim.geometry.gather import Places
-from glshim.geometry.lines import (
+from glshim.geometry.strokes import raskar
+from glshim.geometry.strokes.edges import edges
+from glshim.geometry.strokes.gather import Places
+from glshim.geometry.strokes.lines import (
     FIN,
     INTERSECTION,
     LONE_RIDGE,
@@ -27,10 +27,10 @@ from glshim.geometry.lines import (
 )
 from glshim.render.backend import Backend
 from glshim.render.cameras import turned
-from glshim.render.canvas import Canvas
 from glshim.render.depth import DepthCopy
 from glshim.render.driver import gl
 from glshim.render.guard import Guard
+from glshim.render.lines.canvas import Canvas
 from stylers.raskar import SHADER
 from stylers.raskar.expansion import expand
 from tests import look

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from demo_apps import blob, flag
 from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.edges import edges
+from glshim.geometry.strokes.edges import edges
 from tests import look
 
 RIDGE, VALLEY = 120.0, 240.0  # degrees: sharper than the one, deeper than the other

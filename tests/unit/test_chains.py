@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.chains import Pattern, measure
-from glshim.geometry.edges import edges
-from glshim.geometry.gather import Places
-from glshim.geometry.lines import OUTLINES, Choice, lines
+from glshim.geometry.strokes.chains import Pattern, measure
+from glshim.geometry.strokes.edges import edges
+from glshim.geometry.strokes.gather import Places
+from glshim.geometry.strokes.lines import OUTLINES, Choice, lines
 from tests import look
 
 SIZE = 400

@@ -8,10 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from glshim.geometry import coherence
 from glshim.geometry.camera import Camera
-from glshim.geometry.chains import Pattern, measure
-from glshim.geometry.coherence import Drawn, Past, follow, kept_with, latest, paired
+from glshim.geometry.strokes import coherence
+from glshim.geometry.strokes.chains import Pattern, measure
+from glshim.geometry.strokes.coherence import Drawn, Past, follow, kept_with, latest, paired
 from tests import look
 
 LENGTH = 40.0

@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.contours import (
+from glshim.geometry.contour.contours import (
     Segments,
     facing,
     smooth_contours,
     suggestive_contours,
     zero_segments,
 )
-from glshim.geometry.curvature import (
+from glshim.geometry.contour.curvature import (
     curvature_derivatives,
     principal_curvatures,
     radial_curvature,

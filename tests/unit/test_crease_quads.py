@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.crease_quads import crease_quads, silhouette_quads, silhouettes
-from glshim.geometry.creases import Creases, creases
+from glshim.geometry.crease.creases import Creases, creases
+from glshim.geometry.crease.quads import crease_quads, silhouette_quads, silhouettes
+from glshim.geometry.crease.smoothing_groups import following
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.smoothing_groups import following
 from glshim.geometry.vectors import dot
 from tests import look, surfaces
 from tests.unit.test_creases import beam, sent_by, zigzag

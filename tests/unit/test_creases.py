@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.crease_quads import silhouettes
-from glshim.geometry.creases import INVALID, Creases, creases, decoded
+from glshim.geometry.crease.creases import INVALID, Creases, creases, decoded
+from glshim.geometry.crease.quads import silhouettes
+from glshim.geometry.crease.smoothing_groups import by_traversal, within_adjacency
 from glshim.geometry.recovery.mesh import Mesh, mesh
-from glshim.geometry.smoothing_groups import by_traversal, within_adjacency
 from tests import look, surfaces
 
 CUTS = st.integers(0, 2**32 - 1)

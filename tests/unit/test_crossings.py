@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry import crossings
-from glshim.geometry.hand import ENDLESS
-from glshim.geometry.lines import INTERSECTION, RECORD
-from glshim.render.laying import triangles as fans
+from glshim.geometry.strokes import crossings
+from glshim.geometry.strokes.hand import ENDLESS
+from glshim.geometry.strokes.lines import INTERSECTION, RECORD
+from glshim.render.lines.laying import triangles as fans
 from tests import look
 
 

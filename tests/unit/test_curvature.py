@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from glshim.geometry.curvature import (
+from glshim.geometry.contour.curvature import (
     Curvature,
     curvature_derivatives,
     frames,

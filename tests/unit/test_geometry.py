@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.edges import dihedral, edges, edges_of_each, join
-from glshim.geometry.gather import Places, together
-from glshim.geometry.lines import (
+from glshim.geometry.strokes.edges import dihedral, edges, edges_of_each, join
+from glshim.geometry.strokes.gather import Places, together
+from glshim.geometry.strokes.lines import (
     CONTOUR,
     FIN,
     HOLLOW,

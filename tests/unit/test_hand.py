@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from glshim.geometry.camera import Camera
-from glshim.geometry.chains import Pattern, measure
-from glshim.geometry.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.hand import ENDLESS, begun_anywhere, lifts
-from glshim.geometry.lines import RECORD, group_of
 from glshim.geometry.recovery.mesh import mesh
+from glshim.geometry.strokes.chains import Pattern, measure
+from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
+from glshim.geometry.strokes.hand import ENDLESS, begun_anywhere, lifts
+from glshim.geometry.strokes.lines import RECORD, group_of
 from tests import look
 from tests.unit.test_chains import FLAT, circle, polyline
 

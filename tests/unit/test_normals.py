@@ -27,9 +27,9 @@ from glshim.assembly.immediate import (
 )
 from glshim.assembly.layers import ContentCache
 from glshim.assembly.lists import Bare, Call, Change, ListBook, Primitive
-from glshim.geometry.edges import join
 from glshim.geometry.recovery.mesh import Mesh, mesh
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.geometry.strokes.edges import join
 from glshim.spec.attributes import BY_NAME
 from tests import look
 from tests.look import batch

@@ -10,10 +10,10 @@ from glshim.assembly import immediate
 from glshim.assembly.batch import Wanted
 from glshim.assembly.immediate import QUADS, reversed_winding, scaled
 from glshim.capture.state import colour
-from glshim.geometry.edge_mesh import MARKED, edge_mesh, features
-from glshim.geometry.edges import join
+from glshim.geometry.passes.edge_mesh import MARKED, edge_mesh, features
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.geometry.strokes.edges import join
 from glshim.spec.attributes import BY_NAME, decode
 from tests import look
 

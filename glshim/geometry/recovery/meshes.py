@@ -19,7 +19,7 @@ length, and several objects may share it."""
 class Meshes:
     """The meshes of batches, recovered once for each topology (an animation is found again).
 
-    Batches under one matrix are one mesh: join them first (`glshim.geometry.edges.join`).
+    Batches under one matrix are one mesh: join them first (`glshim.geometry.strokes.edges.join`).
     """
 
     def __init__(self, tolerance: float = 0.0, most_bytes: int = 256 << 20) -> None:

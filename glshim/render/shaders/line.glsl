@@ -1,5 +1,5 @@
 // Prelude of every line shader: the line record.
-// Source: glshim/geometry/lines.py, RECORD.
+// Source: glshim/geometry/strokes/lines.py, RECORD.
 
 layout(location = 0) in vec3 edge_a;      // eye space: the side runs from a
 layout(location = 1) in vec3 edge_b;      // to b, its polygon on the left in the window;

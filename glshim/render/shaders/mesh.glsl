@@ -2,7 +2,7 @@
 // light. A vertex has no attributes: it looks its element up by number.
 // Inputs: textures of positions and normals (a texel a vertex), edges <v0, v1, v2, v3> and triangles.
 // Source: McGuire & Hughes 2004, section 3 (the edge vertex), 3.6 (key frames, bones), by indices
-//         as their section 6 foresees. Numpy references: glshim/geometry/edge_mesh.py, poses.py.
+//         as their section 6 foresees. Numpy references: glshim/geometry/passes/edge_mesh.py, poses.py.
 
 uniform sampler2D mesh_positions;   // object space; with creases also the vertex's number, from 1
 uniform sampler2D mesh_normals;     // out of the object, where it has an outside
@@ -12,7 +12,7 @@ uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is 
                                     // 128: it winds about what is in
 uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wind about what is
                                     // out, -1: about what is in, 0: a sheet has no outside
-uniform sampler2D mesh_creases;     // crease differences and verifiers (glshim/geometry/creases.py)
+uniform sampler2D mesh_creases;     // crease differences and verifiers (glshim/geometry/crease/creases.py)
 uniform int vertices_each;          // vertices an element is drawn with
 
 uniform mat4 modelview;

@@ -1,5 +1,5 @@
 // Prelude of line and mesh shaders: the camera, and what a line on the screen needs. Mirrored in
-// numpy by glshim/geometry/raskar.py, which cites the papers and is held to this.
+// numpy by glshim/geometry/strokes/raskar.py, which cites the papers and is held to this.
 
 uniform mat4 projection;        // eye to clip
 uniform mat4 unprojection;      // clip to eye

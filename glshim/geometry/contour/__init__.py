@@ -1,0 +1,1 @@
+"""Contours and suggestive contours of smooth surfaces."""

@@ -1,0 +1,1 @@
+"""Creases by normals and by angle, and the quads that show them."""

@@ -1,0 +1,1 @@
+"""What passes over meshes decide: the numpy references of their shaders, and sieves before them."""

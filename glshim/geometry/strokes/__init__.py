@@ -1,0 +1,1 @@
+"""Lines from edges, and strokes from lines, as a hand would draw them in one go."""

@@ -1,0 +1,1 @@
+"""Line records to ink: found, drawn on a canvas, laid over the app's picture."""
