@@ -91,8 +91,8 @@ def strokes(
 
     widths of the groups (`glshim.geometry.strokes.lines.GROUPS`) in pixels, angles in radians,
     hair: a few steps of the depth buffer in window depth, positive. blur: pixels by which depths
-    may not be those of pixel centres. The camera's depth function is taken as GL_LESS: depth range (0, 1)
-    gives greater for farther.
+    may not be those of pixel centres. The camera's depth function is taken as GL_LESS: depth range
+    (0, 1) gives greater for farther.
     """
     rows = records.astype(np.float64)
     kind, group = kind_of(records), group_of(records)
