@@ -11,7 +11,8 @@ import os
 import sys
 from collections.abc import Sequence
 
-from glshim import keys, launch, options
+from glshim import launch, options
+from glshim.control import keys
 from glshim.errors import GlshimError
 from glshim.gallery import cli as gallery
 from glshim.notices import say

@@ -15,8 +15,9 @@ from importlib.util import find_spec
 from pathlib import Path
 from statistics import median
 
-from glshim import __version__, keys, launch, options
+from glshim import __version__, launch, options
 from glshim.capture.toolkits import TOOLKITS
+from glshim.control import keys
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.headless import virtual_screen
 from glshim.probe import Probe

@@ -5,15 +5,16 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from glshim import keys, options, stillness
+from glshim import options, stillness
 from glshim.capture import frames
+from glshim.control import keys
+from glshim.control.reload import Reloader
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
-from glshim.reload import Reloader
 from glshim.styling.protocol import Styler
 
 if TYPE_CHECKING:
-    from glshim.live import Controls
+    from glshim.control.live import Controls
 
 SHOT = "GLSHIM_SHOT"
 """`glshim.shots.plan.VARIABLE`, which is not loaded but then."""
@@ -92,7 +93,7 @@ def _watch_keys(wishes: keys.LiveSettings, style: str | None, folder: str) -> No
     global _controls
     try:
         from glshim.capture import keyboard, keyboards
-        from glshim.live import Controls
+        from glshim.control.live import Controls
 
         _controls = Controls(wishes, style, folder)
         keyboards.watch()

@@ -8,10 +8,18 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from glshim import live, owners, pipeline
+from glshim import pipeline
 from glshim.capture import keyboard
+from glshim.control import live, owners
+from glshim.control.keys import (
+    DEFAULTS,
+    Keys,
+    LiveSettings,
+    parse_keys,
+    parse_styles,
+    read_environment,
+)
 from glshim.errors import StyleError
-from glshim.keys import DEFAULTS, Keys, LiveSettings, parse_keys, parse_styles, read_environment
 from glshim.options import parse_style
 from glshim.styling.protocol import Styler
 

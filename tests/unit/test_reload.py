@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from glshim.control.reload import INTERVAL, Reloader
 from glshim.errors import StyleError
 from glshim.options import parse_style
-from glshim.reload import INTERVAL, Reloader
 from glshim.styling.protocol import Styler
 from stylers.raskar import Raskar
 

@@ -1,4 +1,4 @@
-"""Live control: what the keys of `glshim.keys` do while the program runs.
+"""Live control: what the keys of `glshim.control.keys` do while the program runs.
 
 A key only leaves a wish, in whatever thread the toolkit tells of it; wishes come true at the next
 frame end, in the context whose frame it is. A style that was switched to draws from the frame after
@@ -18,10 +18,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim import options, owners, pipeline
+from glshim import options, pipeline
 from glshim.capture import frames, keyboard
+from glshim.control import owners
+from glshim.control.keys import KEYS, LiveSettings
 from glshim.errors import GlshimError
-from glshim.keys import KEYS, LiveSettings
 from glshim.notices import say, say_once
 from glshim.render import framegrab, overlay
 from glshim.styling import registry
