@@ -87,3 +87,15 @@ def intersections() -> Any:
         "auto: of what has at most 20,000 polygons",
         choices=("auto", "on", "off"),
     )
+
+
+def boil() -> Any:
+    """``boil``, of what is drawn by hand."""
+    return option(
+        0.0, help="new motions of the hand a second; 0: it holds still", low=0.0, high=60.0
+    )
+
+
+def seed() -> Any:
+    """``seed``, of what is drawn by hand."""
+    return option(0.0, help="a whole number: each draws with other motions", low=0.0, high=999.0)

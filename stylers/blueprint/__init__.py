@@ -36,13 +36,10 @@ class Blueprint(Styler):
     )
     grid: float = option(16.0, help="printed on the paper; 0: none", low=0.0, high=512.0, unit="px")
     shade: float = option(0.4, help="how much of the app's light", low=0.0, high=1.0)
-    ridge_angle: float = option(
-        135.0, help="greatest dihedral angle of an edge", low=0.0, high=180.0, unit="degrees"
-    )
-    tolerance: float = option(
-        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
-    )
-    seed: float = option(0.0, help="another one draws with other motions", low=0.0, high=999.0)
+    boil: float = options.boil()
+    seed: float = options.seed()
+    crease_angle: float = options.crease_angle(45.0)
+    tolerance: float = options.tolerance()
     intersections: str = options.intersections()
     ink: Colour = option("#ffffff", help="colour of the lines")  # noqa: RUF009
     paper: Colour = option("#000080", help="colour of the paper")  # noqa: RUF009
@@ -56,11 +53,12 @@ class Blueprint(Styler):
         )
         yield from under(paper, layer)
         hand = Hand(
-            self.ridge_angle, 360.0 - self.ridge_angle, (self.width, self.inner_width),
+            self.crease_angle, (self.width, self.inner_width),
             (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
             wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
-            pressure=0.1, corner=30.0, seed=round(self.seed), tolerance=self.tolerance,
-            scale=layer.scale, intersections=self.intersections,
+            pressure=0.1, corner=30.0, boil=self.boil,
+            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
+            tolerance=self.tolerance,
         )  # fmt: skip
         yield from strokes(hand, layer)
         if self.dimensions:

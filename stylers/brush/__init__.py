@@ -46,7 +46,10 @@ class Brush(Styler):
     layers: float = option(1.0, help="how often each line is painted", low=1.0, high=4.0)
     jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    boil: float = option(0.0, help="new strokes a second", low=0.0, high=60.0)
+    boil: float = options.boil()
+    seed: float = options.seed()
+    crease_angle: float = options.crease_angle(60.0)
+    tolerance: float = options.tolerance()
     intersections: str = options.intersections()
     ink: Colour = option("#1f1b24", help="colour of the strokes")  # noqa: RUF009
     paper: Colour = option("#f7f1e3", help="colour of the paper")  # noqa: RUF009
@@ -59,8 +62,7 @@ class Brush(Styler):
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
         image, length, coloured = brush(self.brush, self.width)
         hand = Hand(
-            120.0,
-            240.0,
+            self.crease_angle,
             (self.width, self.inner * self.width),
             (self.ink, self.ink),
             strokes=round(self.layers),
@@ -75,6 +77,7 @@ class Brush(Styler):
             coloured=coloured,
             bristles=_BRISTLES * self.width,
             tip=_FULL * self.width,
-            scale=layer.scale, intersections=self.intersections,
+            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
+            tolerance=self.tolerance,
         )
         yield from strokes(hand, layer)

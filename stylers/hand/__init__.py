@@ -51,10 +51,8 @@ def shader() -> Shader:
 class Hand:
     """How lines are drawn."""
 
-    ridge_angle: float
-    """Degrees: of at most so much an edge is drawn."""
-    valley_angle: float
-    """Degrees: of more an edge is drawn."""
+    crease_angle: float
+    """Degrees: edges at which polygons turn by more are drawn."""
     widths: tuple[float, float]
     """Pixels: of outlines and of what lies within."""
     inks: tuple[Colour, Colour]
@@ -112,8 +110,8 @@ def features(hand: Hand) -> Features:
     """The lines that are drawn, as strokes from corner to corner."""
     return Features(
         True,
-        radians(hand.ridge_angle + _GRAIN),
-        radians(hand.valley_angle),
+        radians(180.0 - hand.crease_angle + _GRAIN),
+        radians(180.0 + hand.crease_angle),
         boundary=True,
         smooth=hand.smooth,
         suggestive=hand.suggestive,
@@ -143,7 +141,7 @@ def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
 
 def uniforms(hand: Hand) -> dict[str, Uniform]:
     """What the shader asks of a hand, all but the seed of its motions."""
-    ridge, valley = radians(hand.ridge_angle), radians(hand.valley_angle)
+    ridge, valley = (radians(180.0 + side * hand.crease_angle) for side in (-1.0, 1.0))
     outline, inner = hand.widths
     # Outlines are groups 0 and 5 (`glshim.geometry.strokes.lines.GROUPS`).
     outlines = [group in (0, 5) for group in range(GROUPS)]

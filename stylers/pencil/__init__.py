@@ -33,12 +33,15 @@ class Pencil(Styler):
     strokes: float = option(2.0, help="how often each line is drawn", low=1.0, high=8.0)
     jitter: float = option(1.1, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    boil: float = option(0.0, help="new strokes a second", low=0.0, high=60.0)
     hatching: float = option(0.85, help="strokes in dark places", low=0.0, high=1.0)
     rubbing: float = option(0.7, help="soft tone, rubbed into the paper", low=0.0, high=1.0)
     coloured: float = option(
         0.0, help="the app's own colours: 0 graphite, 1 coloured pencils", low=0.0, high=1.0
     )
+    boil: float = options.boil()
+    seed: float = options.seed()
+    crease_angle: float = options.crease_angle(60.0)
+    tolerance: float = options.tolerance()
     intersections: str = options.intersections()
     ink: Colour = option("#2b2a2d", help="colour of the graphite")  # noqa: RUF009
     paper: Colour = option("#f8f6f0", help="colour of the paper")  # noqa: RUF009
@@ -60,10 +63,12 @@ class Pencil(Styler):
         )  # fmt: skip
         image, length, _ = brush("pencil", 2.0 * self.width)
         hand = Hand(
-            120.0, 240.0, (2.0 * self.width, 2.0 * self.inner * self.width), (self.ink, self.ink),
-            strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
+            self.crease_angle, (2.0 * self.width, 2.0 * self.inner * self.width),
+            (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
+            wobble=self.jitter,
             overshoot=self.overshoot, pressure=0.35, taper=18.0 * layer.scale,
             tip=50.0 * layer.scale, boil=self.boil, scale=layer.scale,
-            image=image, length=length, intersections=self.intersections,
+            image=image, length=length, intersections=self.intersections, seed=round(self.seed),
+            tolerance=self.tolerance,
         )  # fmt: skip
         yield from strokes(hand, layer)

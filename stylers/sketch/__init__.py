@@ -25,8 +25,11 @@ class Sketch(Styler):
     strokes: float = option(6.0, help="how often each line is drawn", low=1.0, high=16.0)
     jitter: float = option(1.6, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    boil: float = option(0.0, help="new jitter a second", low=0.0, high=60.0)
     hatching: float = option(0.8, help="of dark places", low=0.0, high=1.0)
+    boil: float = options.boil()
+    seed: float = options.seed()
+    crease_angle: float = options.crease_angle(60.0)
+    tolerance: float = options.tolerance()
     intersections: str = options.intersections()
     ink: Colour = option("#1b1b1e", help="colour of the strokes")  # noqa: RUF009
     paper: Colour = option("#faf8f2", help="colour of the paper")  # noqa: RUF009
@@ -47,9 +50,10 @@ class Sketch(Styler):
             layer,
         )  # fmt: skip
         hand = Hand(
-            120.0, 240.0, (self.width, self.width), (self.ink, self.ink),
+            self.crease_angle, (self.width, self.width), (self.ink, self.ink),
             strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
             overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, boil=self.boil,
-            scale=layer.scale, intersections=self.intersections,
-        )
+            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
+            tolerance=self.tolerance,
+        )  # fmt: skip
         yield from strokes(hand, layer)

@@ -57,7 +57,7 @@ def scenes():
             camera = Camera(look.look_at(5 * direction), lens, PORT, front_ccw=name != "teapot")
             yield f"{name} {k}", style, ((mesh, camera),)
     black = ((0.0, 0.0, 0.0),) * 2
-    hand = Hand(120.0, 240.0, (5.0, 3.0), black, taper=30.0, tip=80.0)
+    hand = Hand(60.0, (5.0, 3.0), black, taper=30.0, tip=80.0)
     for name, mesh in (("cube", look.cube()), ("star", star()), ("cylinder", look.cylinder())):
         for k, direction in enumerate(look.directions(3)):
             camera = Camera(look.look_at(5 * direction), LENS, PORT)

@@ -25,7 +25,7 @@ from tests import coherence, look
 from tests.golden.test_legacy import widened
 
 SIZE = 400
-PLAIN = Hand(120.0, 240.0, (2.0, 2.0), ((0.0, 0.0, 0.0),) * 2)
+PLAIN = Hand(60.0, (2.0, 2.0), ((0.0, 0.0, 0.0),) * 2)
 """Lines of two pixels that do not stray, swell or overshoot."""
 MOVED = replace(PLAIN, wobble=2.0, pressure=0.3, taper=10.0)
 STYLES = (Sketch(), Brush(), Pencil())
