@@ -34,7 +34,7 @@ def checked() -> Iterator[object]:
             yield pytest.param(style, check, id=f"{style}-{check.title}")
 
 
-@pytest.mark.parametrize(("style", "check"), checked())
+@pytest.mark.parametrize(("style", "check"), [*checked()])
 def test_it_keeps_to_what_check_style_asks(style: str, check: Check) -> None:
     found = finding(check, parse_style(style))
     assert not found.wrong, str(found)

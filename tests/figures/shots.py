@@ -27,7 +27,7 @@ def shot(style: str, *program: str, frames: int = 3) -> Image.Image:
             command, cwd=ROOT, env=environ, capture_output=True, text=True, timeout=120, check=False
         )
         if done.returncode or not path.exists():
-            raise RuntimeError(f"{style} of {' '.join(program)}: {done.stderr.strip()[-400:]}")
+            raise RuntimeError(f"{style} of {' '.join(program)}: {done.stderr.strip()[-2000:]}")
         return Image.open(path).convert("RGB")
 
 
