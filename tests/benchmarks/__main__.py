@@ -79,6 +79,19 @@ def print_times(choice: argparse.Namespace, display: str) -> int:
     return misses
 
 
+def print_styles(choice: argparse.Namespace, display: str) -> None:
+    modes = ("plain", *choice.styles.split(","))
+    print("Milliseconds a frame; in brackets, the multiple of plain.")
+    print()
+    print(f"| scene | {' | '.join(modes)} |")
+    print("|---|" + "--:|" * len(modes))
+    for scene in SCENES:
+        if fnmatch.fnmatch(scene, f"*{choice.only}*"):
+            timing = rounds_of(scene, modes, choice.rounds, choice.seconds, display)
+            cells = (cell(timing, scene, mode)[0] for mode in modes)
+            print(f"| {scene} | {' | '.join(cells)} |", flush=True)
+
+
 def print_memory(frames: int, display: str) -> None:
     print(f"Megabytes in memory over {frames:,} frames: after a tenth, after half, at the end.")
     print()
@@ -101,12 +114,16 @@ def main() -> int:
                         help="memory over so many frames instead of times")
     parser.add_argument("--features", action="store_true",
                         help="only what each kind of line costs, the second table")
+    parser.add_argument("--styles", metavar="A,B,...", help="only these styles' times")
     parser.add_argument("--check", action="store_true", help="exit status 1 on a missed target")
     choice = parser.parse_args()
     try:
         with virtual_screen() as display:
             if choice.memory:
                 print_memory(choice.memory, display)
+                return 0
+            if choice.styles:
+                print_styles(choice, display)
                 return 0
             misses = 0 if choice.features else print_times(choice, display)
             if not choice.features:
