@@ -57,7 +57,7 @@ class Pencil(Styler):
             Hatching(
                 self.ink, self.hatching, apart=4.0 * layer.scale, jitter=2.2 * layer.scale,
                 by_picture=0.65, boil=self.boil,
-                coloured=self.coloured, soft=1.0,
+                coloured=self.coloured, soft=1.0, tolerance=self.tolerance,
             ),
             layer,
         )  # fmt: skip

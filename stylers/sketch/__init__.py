@@ -41,11 +41,12 @@ class Sketch(Styler):
         return self.hatching > 0.0
 
     def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+        """Paper, hatching, and every line so often as it is drawn."""
         yield from under(Paper(self.paper, tint=self.tint), layer)
         yield from hatched(
             Hatching(
                 self.ink, self.hatching, apart=6.0 * layer.scale, jitter=3.0 * layer.scale,
-                boil=self.boil,
+                boil=self.boil, tolerance=self.tolerance,
             ),
             layer,
         )  # fmt: skip
