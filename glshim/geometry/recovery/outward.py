@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.welding import weld
 from glshim.geometry.vectors import Doubles, cross, dot
 
 _HOLLOW = 0.01
@@ -29,16 +31,33 @@ def outward(mesh: Mesh) -> NDArray[np.float32]:
 
 
 def way_out(triangles: NDArray[np.floating]) -> float:
-    """+1 where the normals of triangles (T, 3, 3) point out of what they enclose together, -1 where
-    they point into it, 0 where that is next to nothing."""
+    """+1 where the normals of triangles (T, 3, 3) point out of what they enclose, -1 where they
+    point into it, 0 where that is next to nothing. What hangs together by equal corners is taken
+    by itself, as a floor under a figure encloses nothing; where none of it does, all as one."""
     corners = np.asarray(triangles, np.float64)
     sound = corners[np.isfinite(corners).all(axis=(1, 2))]
-    return float(_signs(sound, np.zeros(len(sound), np.intp))[0]) if len(sound) else 0.0
+    if not len(sound):
+        return 0.0
+    vertex = weld(sound.reshape(-1, 3).astype(np.float32))[1].reshape(-1, 3)
+    sides = np.concatenate((vertex[:, :2], vertex[:, 1:]))
+    label = components(int(vertex.max()) + 1, sides[:, 0], sides[:, 1]).label[vertex[:, 0]]
+    volume, share = _enclosed(sound, label)
+    hollow = np.abs(share) >= _HOLLOW
+    if hollow.any():
+        return float(np.sign(volume[hollow].sum()))
+    return float(_signs(sound, np.zeros(len(sound), np.intp))[0])
 
 
 def _signs(corners: Doubles, label: NDArray[np.integer]) -> Doubles:
     """(L,) of each label that triangles (T, 3, 3) bear (T,): the sign of the volume that they
-    enclose seen from their middle, 0 where that is next to nothing."""
+    enclose, 0 where that is next to nothing."""
+    share = _enclosed(corners, label)[1]
+    return np.asarray(np.where(np.abs(share) >= _HOLLOW, np.sign(share), 0.0))
+
+
+def _enclosed(corners: Doubles, label: NDArray[np.integer]) -> tuple[Doubles, Doubles]:
+    """(L,) of each label that triangles (T, 3, 3) bear (T,): the volume that they enclose, seen
+    from their middle, and (L,) its share of their area to the power of 1.5."""
     with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
         middle = corners.mean(axis=1)
         total = np.bincount(label)
@@ -47,5 +66,4 @@ def _signs(corners: Doubles, label: NDArray[np.integer]) -> Doubles:
         volume = np.bincount(label, dot(a, cross(b, c)) / 6.0)
         vector = cross(b - a, c - a)
         area = np.bincount(label, np.sqrt(dot(vector, vector)) / 2.0)
-        share = np.nan_to_num(volume / area**1.5)
-    return np.asarray(np.where(np.abs(share) >= _HOLLOW, np.sign(share), 0.0))
+        return np.asarray(volume), np.asarray(np.nan_to_num(volume / area**1.5))
