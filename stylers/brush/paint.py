@@ -8,12 +8,10 @@ from functools import cache
 from importlib.resources import files
 from math import floor
 
-from glshim.styling.passes import MeshShader, Pass, State
-from glshim.styling.protocol import Colour, Layer, Uniform
-from stylers.edge_mesh.tones import grain
-from stylers.hand.paper import UNDER, windows
-
-_STATE = State(depth="always", blend="off")
+from glshim.styling.passes import MeshShader, Pass
+from glshim.styling.protocol import Colour, Layer
+from stylers.edge_mesh.tones import tone_shader
+from stylers.hand.paper import laid
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,22 +30,13 @@ class Paint:
 
 @cache
 def _shader() -> MeshShader:
-    tones, here = files("stylers.edge_mesh"), files(__package__)
-    vertex, tone = ((tones / f"{name}.glsl").read_text("utf-8") for name in ("recede.vert", "tone"))
-    return MeshShader("paint", vertex, tone + (here / "paint.frag.glsl").read_text("utf-8"))
+    return tone_shader("paint", (files(__package__) / "paint.frag.glsl").read_text("utf-8"))
 
 
 def painted(paint: Paint, layer: Layer) -> Iterator[Pass]:
-    """One pass over every window. A layer over another lies on that one's paper, but for the
-    surfaces of a view of its own."""
-    if layer.over and not layer.fresh:
-        return
+    """Paper with dabs on it."""
     tick = floor(layer.time * paint.boil) % 61
-    uniforms: dict[str, Uniform] = {
-        "paper": paint.paper, "behind": int(not layer.over), "ink": (0.0, 0.0, 0.0),
-        "tint": paint.tint, "dab": paint.dab, "dab_seed": float(tick + 61 * (paint.seed % 61)),
-    }  # fmt: skip
-    yield Pass(
-        _shader(), windows(layer), "screen", state=_STATE, uniforms=uniforms, image=grain(),
-        sheet=UNDER,
-    )  # fmt: skip
+    yield from laid(_shader(), layer, {
+        "paper": paint.paper, "ink": (0.0, 0.0, 0.0), "tint": paint.tint, "dab": paint.dab,
+        "dab_seed": float(tick + 61 * (paint.seed % 61)),
+    })  # fmt: skip

@@ -7,7 +7,7 @@ is a pass over the app's finished picture, so every program's own colours and li
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache, lru_cache
 from importlib.resources import files
@@ -35,12 +35,25 @@ def _text(name: str) -> str:
     return (_HERE / f"{name}.glsl").read_text("utf-8")
 
 
+def tone_shader(name: str, fragment: str) -> MeshShader:
+    """A shader over the pixels of a window: a fragment text that follows ``tone.glsl``."""
+    return MeshShader(name, _text("recede.vert"), _text("tone") + fragment)
+
+
 _SHADERS = {
-    name: MeshShader(
-        f"tone {name}", _text("recede.vert"), _text("tone") + _text(f"tone_{name}.frag")
-    )
-    for name in ("app", *TONES)
+    name: tone_shader(f"tone {name}", _text(f"tone_{name}.frag")) for name in ("app", *TONES)
 }
+
+
+def over_windows(
+    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], sheet: int
+) -> Pass:
+    """A `tone_shader` over all of every window of a layer."""
+    windows = {body.camera.viewport: body for body in bodies(layer)}
+    screens = tuple(map(_whole, windows.values()))
+    return Pass(
+        shader, screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=sheet
+    )
 
 
 def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> Iterator[Pass]:
@@ -59,12 +72,7 @@ def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> It
     uniforms: dict[str, Uniform] = {
         "paper": WHITE if isinstance(paper, str) else paper, "behind": int(behind), "ink": ink,
     }  # fmt: skip
-    windows = {body.camera.viewport: body for body in bodies(layer)}
-    screens = tuple(_whole(body) for body in windows.values())
-    yield Pass(
-        _SHADERS[tone], screens, "screen", state=_STATE, uniforms=uniforms, image=grain(),
-        sheet=_UNDER,
-    )  # fmt: skip
+    yield over_windows(_SHADERS[tone], layer, uniforms, _UNDER)
 
 
 def _whole(body: Body) -> Body:

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-from glshim.styling.passes import MeshShader, Pass, State
-from glshim.styling.protocol import Colour, Layer, Uniform
-from stylers.edge_mesh.tones import grain
-from stylers.hand.paper import UNDER, windows
-
-_STATE = State(depth="always", blend="off")
+from glshim.styling.passes import MeshShader, Pass
+from glshim.styling.protocol import Colour, Layer
+from stylers.edge_mesh.tones import tone_shader
+from stylers.hand.paper import laid
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,21 +27,11 @@ class Rubbing:
 
 @cache
 def _shader() -> MeshShader:
-    tones, here = files("stylers.edge_mesh"), files(__package__)
-    vertex, tone = ((tones / f"{name}.glsl").read_text("utf-8") for name in ("recede.vert", "tone"))
-    return MeshShader("rubbing", vertex, tone + (here / "rubbing.frag.glsl").read_text("utf-8"))
+    return tone_shader("rubbing", (files(__package__) / "rubbing.frag.glsl").read_text("utf-8"))
 
 
 def rubbed(look: Rubbing, layer: Layer) -> Iterator[Pass]:
-    """One pass over every window. A layer over another lies on that one's paper, but for the
-    surfaces of a view of its own."""
-    if layer.over and not layer.fresh:
-        return
-    uniforms: dict[str, Uniform] = {
-        "paper": look.paper, "behind": int(not layer.over), "ink": look.ink,
-        "strength": look.strength, "coloured": look.coloured,
-    }  # fmt: skip
-    yield Pass(
-        _shader(), windows(layer), "screen", state=_STATE, uniforms=uniforms, image=grain(),
-        sheet=UNDER,
-    )  # fmt: skip
+    """Paper with tones rubbed into it."""
+    yield from laid(_shader(), layer, {
+        "paper": look.paper, "ink": look.ink, "strength": look.strength, "coloured": look.coloured,
+    })  # fmt: skip
