@@ -11,7 +11,7 @@ from glshim.geometry.crease.smoothing_groups import following
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.vectors import dot
 from tests import look, surfaces
-from tests.unit.test_creases import beam, sent_by, zigzag
+from tests.odd_meshes import beam, sent_by, zigzag
 
 HALF = (200.0, 150.0)
 SMOOTH = mesh(look.batch(*surfaces.torus(48, 24)[:2]))

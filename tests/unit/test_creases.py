@@ -7,30 +7,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.crease.creases import INVALID, Creases, creases, decoded
+from glshim.geometry.crease.creases import INVALID, Creases, creases
 from glshim.geometry.crease.quads import silhouettes
 from glshim.geometry.crease.smoothing_groups import by_traversal, within_adjacency
 from glshim.geometry.recovery.mesh import Mesh, mesh
 from tests import look, surfaces
+from tests.odd_meshes import MESHES, dart, sent_by
 
 CUTS = st.integers(0, 2**32 - 1)
-
-
-def sent_by(m: Mesh, cut: float, seed: int) -> np.ndarray:
-    """(T, 3, 3) normals of an app that duplicates vertices at a share of the edges: smoothing
-    groups of triangles, each with a normal of its own at each vertex."""
-    random = np.random.default_rng(seed)
-    group = np.arange(len(m.triangles))
-    a, b = m.faces[(m.faces[:, 1] >= 0) & (random.random(len(m.faces)) >= cut)].T
-    for _ in range(len(m.triangles)):
-        least = np.minimum(group[a], group[b])
-        before = group.copy()
-        np.minimum.at(group, a, least)
-        np.minimum.at(group, b, least)
-        if np.array_equal(before, group):
-            break
-    own = random.normal(size=(group.max(initial=0) + 1, 3))
-    return (m.vertex_normals[m.triangles] + own[group][:, None]).astype(np.float32)
 
 
 def fans_of(m: Mesh, sides: np.ndarray) -> list[set[int]]:
@@ -82,52 +66,6 @@ def literally(m: Mesh, n: np.ndarray) -> np.ndarray:
 
 def _side(tri: np.ndarray, ends: np.ndarray) -> int:
     return next(k for k in range(3) if {tri[k], tri[(k + 1) % 3]} == set(ends))
-
-
-def dart() -> tuple[Mesh, np.ndarray]:
-    """A flat disc with one crease from its middle to its rim: the middle is the tip of a dart."""
-    ring = [(np.cos(a), np.sin(a), 0) for a in np.arange(6) * np.pi / 3]
-    m = mesh(look.batch([(0, 0, 0), *ring], [[0, 1 + k, 1 + (k + 1) % 6] for k in range(6)]))
-    sent = np.tile(np.array((0.0, 0.0, 1.0)), (6, 3, 1))
-    for t, tri in enumerate(m.triangles):
-        if set(tri) == {0, 1, 2}:
-            sent[t, list(tri).index(1)] = (1, 0, 1)
-    return m, sent.astype(np.float32)
-
-
-def hourglass() -> Mesh:
-    """Two closed cones that meet at their tips."""
-    ring = [(np.cos(a), np.sin(a)) for a in np.arange(7) * 2 * np.pi / 7]
-    points = [(0, 0, 0), *[(x, y, 1) for x, y in ring], *[(x, y, -1) for x, y in ring]]
-    points += [(0, 0, 1), (0, 0, -1)]
-    faces = []
-    for k in range(7):
-        j = (k + 1) % 7
-        faces += [[0, 1 + k, 1 + j], [15, 1 + j, 1 + k], [0, 8 + j, 8 + k], [16, 8 + k, 8 + j]]
-    return mesh(look.batch(points, faces))
-
-
-MESHES = {
-    "torus": mesh(look.torus(9, 6)),
-    "bowl": mesh(look.bowl(8, 4)),
-    "cube": mesh(look.cube()),
-    "cylinder": mesh(look.cylinder()),
-    "hourglass": hourglass(),
-    "blob": mesh(look.batch(*surfaces.icosphere(1))),
-    "dart": dart()[0],
-    "three on an edge": mesh(look.batch(
-        [(0, 0, 0), (0, 0, 1), (1, 0, 0), (0, 1, 0), (-1, -1, 0)], [[0, 1, 2], [1, 0, 3], [0, 1, 4]]
-    )),
-    "moebius": mesh(look.batch(
-        [(0, 0, 0), (1, 0, 0), (0, 1, 1), (1, 1, 0), (0, 2, 0.5)],
-        [[0, 1, 2], [1, 2, 3], [2, 3, 4], [3, 4, 0], [4, 0, 1]],
-    )),
-    "bent quads": mesh(look.batch(
-        [(0, 0, 0), (1, 0, 0), (1, 1, 1), (0, 1, 0), (2, 0, 0), (2, 1, 3)],
-        [[0, 1, 2, 3], [1, 4, 5, 2]],
-    )),
-    "nothing": mesh(look.batch([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [[0, 1, 2]])),
-}  # fmt: skip
 
 
 @st.composite
@@ -344,144 +282,6 @@ def test_normals_do_not_blend_over_creases() -> None:
     assert len(found.vertices) == 24
     assert np.allclose(found.normals[found.triangles], flat, atol=1e-6)
     assert np.array_equal(found.adjacency[:, ::2], found.triangles)
-
-
-def _swollen(m: Mesh, by: float) -> Mesh:
-    moved = m.moved((m.positions * (1.0, 1.0 + by, 1.0 - by / 2))[m.weld].astype(np.float32))
-    assert moved is not None
-    return moved
-
-
-@pytest.mark.parametrize("rule", ["normals", "angle", "either"])
-@pytest.mark.parametrize("name", MESHES)
-def test_moved_is_like_fresh(name: str, rule: str) -> None:
-    m = MESHES[name]
-    sent = sent_by(m, 0.3, 5)
-    was = creases(m, sent, rule=rule)
-    assert was.adjacency.shape == (len(m.triangles), 6)
-    other = _swollen(m, 0.5)
-    found, fresh = was.moved(other, sent), creases(other, sent, rule=rule)
-    for part in ("sides", "open", "triangles", "vertices", "adjacency", "differences", "normals"):
-        assert np.array_equal(getattr(found, part), getattr(fresh, part)), part
-    if rule == "normals" and was.criterion.least == 0.0:
-        assert found.triangles is was.triangles
-    assert was.moved(other).normals.shape == (len(was.moved(other).vertices), 3)
-
-
-def book(degrees: float) -> np.ndarray:
-    """Two pages that turn by so much at their back, along the y axis."""
-    turn = np.radians(degrees)
-    far = (np.cos(turn), np.sin(turn))
-    return np.array([(-1, 0, 0), (-1, 1, 0), (0, 0, 0), (0, 1, 0),
-                     (far[0], 0, far[1]), (far[0], 1, far[1])], np.float32)  # fmt: skip
-
-
-def test_creases_by_angle_come_and_go_at_the_angle_and_those_by_normals_stay() -> None:
-    first = mesh(look.batch(book(0.0), [[0, 2, 3, 1], [2, 4, 5, 3]]))
-    parted = np.repeat(first.normals[:, None], 3, axis=1).astype(np.float32)
-    parted[2:] += (0.5, 0.0, 0.0)  # the second page has normals of its own
-    held = {
-        "angle": creases(first, angle=np.radians(40.0)),
-        "normals": creases(first, parted, rule="normals", least=0.0),
-    }
-    for degrees in (10.0, 39.9, 40.1, 80.0, 40.1, 39.9, 0.0, 60.0):
-        m = first.moved(book(degrees)[first.weld])
-        assert m is not None
-        held = {rule: one.moved(m, parted if rule == "normals" else None)
-                for rule, one in held.items()}  # fmt: skip
-        inner = {rule: int((one.sides & ~one.open).sum()) for rule, one in held.items()}
-        assert inner == {"angle": 2 if degrees > 40.0 else 0, "normals": 2}
-        fresh = creases(m, angle=np.radians(40.0))
-        assert np.array_equal(held["angle"].sides, fresh.sides)
-        assert np.allclose(held["angle"].differences[held["angle"].triangles],
-                           fresh.differences[fresh.triangles])  # fmt: skip
-
-
-def test_moved_keeps_what_can_be_kept() -> None:
-    m = MESHES["torus"]
-    was = creases(m)
-    found = was.moved(_swollen(m, 1e-3))
-    assert found.triangles is was.triangles
-    with pytest.raises(ValueError, match="connectivity"):
-        was.moved(MESHES["cube"])
-
-
-@pytest.mark.parametrize("name", MESHES)
-@pytest.mark.parametrize("cut", [0.05, 0.3, 1.0])
-def test_the_differences_of_crooked_creases_decode(name: str, cut: float) -> None:
-    m = MESHES[name]
-    for seed in range(4):
-        found = creases(m, sent_by(m, cut, seed), rule="normals", least=0.0)
-        assert np.array_equal(decoded(found, m.positions), found.sides)
-
-
-def beam(count: int, bend: float) -> Mesh:
-    """A square beam along a slanted axis in count pieces, that bends by an angle at each."""
-    square = np.array([(0, -1, -1), (0, 1, -1), (0, 1, 1), (0, -1, 1)], float)
-    points = []
-    for k in range(count + 1):
-        c, s = np.cos(bend * k), np.sin(bend * k)
-        turn = np.array([(c, -s, 0), (s, c, 0), (0, 0, 1)])
-        where = np.array([(np.cos(bend * j), np.sin(bend * j), 0.0) for j in range(k)])
-        points.extend(square @ turn.T + 2 * where.reshape(-1, 3).sum(axis=0))
-    faces = []
-    for k in range(count):
-        for i in range(4):
-            j = (i + 1) % 4
-            a, b, c, d = 4 * k + i, 4 * k + j, 4 * k + 4 + j, 4 * k + 4 + i
-            faces += [[a, c, b], [a, d, c]]
-    slanted = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
-    return mesh(look.batch(np.array(points) @ slanted.T, faces))
-
-
-def test_differences_cannot_tell_what_lies_between_straight_creases() -> None:
-    """Where a crease goes straight on its difference is zero, and every direction fits: the
-    verifier is the x of the cross product alone. So the rungs of a beam are taken for creases,
-    by the whole cross product too, and `sides` is what draws them right."""
-    count = 12
-    m = beam(count, 0.0)
-    found = creases(m, rule="angle", angle=1.0)
-    assert found.sides.sum() == 4 * 2 * count + 2 * 4  # four edges with two halves, and the ends
-    flags = decoded(found, m.positions)
-    assert not (found.sides & ~flags).any()
-    wrong = (flags & ~found.sides).sum()
-    # Rungs and diagonals (four each, two halves) between the vertices that are no corners.
-    assert wrong == 4 * 2 * (count - 1) + 4 * 2 * (count - 2)
-    bent = beam(count, 0.1)
-    found = creases(bent, rule="angle", angle=1.0)
-    assert np.array_equal(decoded(found, bent.positions), found.sides)
-
-
-def zigzag(count: int) -> Mesh:
-    """A band of triangles whose two rims run zigzag in x: forth and back by 0.6 a side."""
-    c, s = 0.6, 0.8
-    below = [(c * (k % 2), k * s, 0.0) for k in range(count)]
-    above = [(c * (1 - k % 2), (k + 0.5) * s, s * np.sqrt(0.75)) for k in range(count)]
-    faces = [[k, k + 1, count + k] for k in range(count - 1)]
-    faces += [[k + 1, count + k + 1, count + k] for k in range(count - 1)]
-    return mesh(look.batch(below + above, faces))
-
-
-def test_one_element_of_the_cross_product_is_too_little() -> None:
-    """Differences along the x axis: every direction as steep as the crease's has the verifier 0,
-    and the whole cross product would tell them apart."""
-    m = zigzag(8)
-    found = creases(m, rule="angle", angle=np.pi)  # the rims alone
-    flags = decoded(found, m.positions)
-    wrong = flags & ~found.sides
-    assert not (found.sides & ~flags).any()
-    assert wrong.sum() == 2 * 6  # every other rung, both halves, but for the corners' two
-    for t, k in np.argwhere(wrong):
-        a, b = found.triangles[t, k], found.triangles[t, (k + 1) % 3]
-        e = np.diff(m.positions[found.vertices[[a, b]]].astype(float), axis=0)[0]
-        e /= np.linalg.norm(e)
-        corners = m.triangles.ravel()
-        h = found.strips.outgoing[a]
-        true = m.positions[corners[h - h % 3 + (h + 1) % 3]] - m.positions[corners[h]]
-        true = true / np.linalg.norm(true)
-        delta = found.differences[a, :3].astype(float)
-        assert np.linalg.norm(delta) > 0.1
-        assert np.linalg.norm(np.cross(e, delta) - np.cross(true, delta)) > 0.1
 
 
 def test_one_normal_for_a_whole_surface_that_turns_was_never_sent():
