@@ -64,10 +64,10 @@ def crease_angle(default: float) -> Any:
     )  # fmt: skip
 
 
-def tolerance() -> Any:
-    """``tolerance``: of mesh recovery; what rounding parts is one."""
+def tolerance(default: float = 1e-5) -> Any:
+    """``tolerance``: of mesh recovery; what rounding parts is one, unless the default is 0."""
     return option(
-        1e-5, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
+        default, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
     )
 
 

@@ -102,9 +102,7 @@ class Crease(Styler):
     )
     texture: str = options.texture("lines")
     texture_length: float = options.texture_length("a line")
-    tolerance: float = option(
-        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
-    )
+    tolerance: float = options.tolerance(0.0)
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = options.fill()  # noqa: RUF009
 

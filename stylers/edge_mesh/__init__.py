@@ -76,9 +76,7 @@ class EdgeMesh(Styler):
         1.5, help="width of suggestive contours", low=0.5, high=64.0, unit="px"
     )
     suggestive_ink: Colour = _colour("suggestive contours")  # noqa: RUF009
-    tolerance: float = option(
-        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
-    )
+    tolerance: float = options.tolerance(0.0)
     strokes: str = option(
         "chained",
         help="chained: joined along chains of edges; the others edge by edge on the GPU, as in the "

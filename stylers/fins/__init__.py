@@ -16,6 +16,7 @@ from typing import ClassVar
 from glshim.geometry.passes.edge_mesh import BOUNDARY, CONTOUR
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from stylers import options
 from stylers.fins.lighting import Lighting, relit
 
 _HERE = files(__package__)
@@ -70,9 +71,7 @@ class Fins(Styler):
     spine: bool = option(
         True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
     )
-    tolerance: float = option(
-        0.0, help="distance in object units at which corners are one vertex", low=0.0, high=1e6
-    )
+    tolerance: float = options.tolerance(0.0)
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = option(  # noqa: RUF009
         "app",
