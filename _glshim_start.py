@@ -14,7 +14,7 @@ def start() -> None:
     if not any(name in os.environ for name in VARIABLES):
         return
     try:
-        from glshim.capture import startup
+        from glshim.running import startup
 
         startup.arm()
     except Exception as error:

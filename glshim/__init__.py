@@ -11,7 +11,6 @@ Names are loaded when first used, so that importing the package costs next to no
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from glshim.assembly.batch import PolygonBatch
     from glshim.errors import (
         EnvironmentFault,
         GlshimError,
@@ -19,12 +18,10 @@ if TYPE_CHECKING:
         StyleError,
         UnknownNameError,
     )
-    from glshim.geometry.camera import Camera
     from glshim.geometry.crease.creases import Criterion
-    from glshim.geometry.passes.poses import Keyframes, Skin
-    from glshim.geometry.strokes.feature_lines import Features
-    from glshim.geometry.strokes.lines import Choice
-    from glshim.options import parse_style
+    from glshim.geometry.meshshaders.poses import Keyframes, Skin
+    from glshim.model.batch import PolygonBatch
+    from glshim.model.camera import Camera
     from glshim.pipeline import install, uninstall
     from glshim.styling.fixed import BackFaces
     from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, Stencil, bodies
@@ -41,16 +38,18 @@ if TYPE_CHECKING:
         option,
         options_of,
     )
+    from glshim.styling.texts import parse_style
+    from glshim.styling.wishes import Choice, Features
 
 _HOMES = {
     "glshim.pipeline": ("install", "uninstall"),
-    "glshim.options": ("parse_style",),
-    "glshim.assembly.batch": ("PolygonBatch",),
-    "glshim.geometry.camera": ("Camera",),
+    "glshim.styling.texts": ("parse_style",),
+    "glshim.model.batch": ("PolygonBatch",),
+    "glshim.model.camera": ("Camera",),
     "glshim.geometry.crease.creases": ("Criterion",),
-    "glshim.geometry.strokes.feature_lines": ("Features",),
-    "glshim.geometry.strokes.lines": ("Choice",),
-    "glshim.geometry.passes.poses": ("Keyframes", "Skin"),
+    "glshim.linework.feature_lines": ("Features",),
+    "glshim.linework.polygon_lines": ("Choice",),
+    "glshim.geometry.meshshaders.poses": ("Keyframes", "Skin"),
     "glshim.styling.fixed": ("BackFaces",),
     "glshim.styling.passes": ("Body", "MeshShader", "Pass", "Sieve", "State", "Stencil", "bodies"),
     "glshim.styling.pictures": ("Image", "read_image"),

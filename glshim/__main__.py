@@ -2,6 +2,6 @@
 
 import sys
 
-from glshim.cli import main
+from glshim.commands.cli import main
 
 sys.exit(main())

@@ -7,23 +7,23 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from .assembly.batch import Wanted
-from .capture import frames
-from .capture.clibraries import C_LIBRARIES
-from .capture.raw import RAW
-from .capture.recorder import RECORDER
-from .capture.state import light
-from .capture.watch import WATCH
-from .errors import RenderError
-from .following.follower import Follower
-from .following.scene import Scene, integer, say_unstyled
-from .notices import say_fault
-from .render.backend import Backend
-from .render.fixed import FixedPen
-from .render.sheet import SHEET
-from .render.surface import Surface
-from .spec.driver import current_context
-from .styling.protocol import BackFaces, Layer, Styler
+from glshim.bindings.pyopengl.clibraries import C_LIBRARIES
+from glshim.bindings.pyopengl.raw import RAW
+from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.bindings.pyopengl.watch import WATCH
+from glshim.errors import RenderError
+from glshim.model.batch import Wanted
+from glshim.notices import say_fault
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.fixed import FixedPen
+from glshim.outputs.gl.sheet import SHEET
+from glshim.outputs.gl.surface import Surface
+from glshim.sources.fixed.state import light
+from glshim.sources.follower import Follower
+from glshim.sources.scene import Scene, integer, say_unstyled
+from glshim.spec.driver import current_context
+from glshim.styling.protocol import BackFaces, Layer, Styler
+from glshim.toolkits import frames
 
 _DOUBLE_BUFFER = 0x0C32
 
@@ -211,7 +211,7 @@ def install(style: str | Styler, *, live: bool = False) -> None:
     """
     global _current
     if isinstance(style, str):
-        from .options import parse_style
+        from glshim.styling.texts import parse_style
 
         style = parse_style(style)
     if not RAW.installed:

@@ -14,13 +14,13 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.strokes.chains import Pattern
-from glshim.geometry.strokes.coherence import Past
-from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.strokes.screen import window
+from glshim.geometry.window import window
+from glshim.linework.coherence import Past
+from glshim.linework.feature_lines import EdgeLines, feature_lines
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.styling.wishes import Features, Pattern
 from tests import look
 
 LENGTH = 40.0

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 
 import pytest
 
-from glshim.headless import virtual_screen
+from glshim.running.headless import virtual_screen
 
 _until_the_end = ExitStack()
 

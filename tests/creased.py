@@ -1,9 +1,9 @@
 """Where style crease's ink belongs: capsules around lines that are seen, in float64.
 
 Creases and their visibility are those of `tests.score`, from exact ray tests. Smooth silhouettes
-are zeros of n.c (`glshim.geometry.crease.quads.silhouettes`, which has tests of its own); they are
-surely seen where something farther is drawn beyond them, unless they end in a cusp nearby
-(D. DeCarlo et al., "Suggestive Contours for Conveying Shape", 2003: the radial curvature).
+are zeros of n.c (`glshim.geometry.references.crease_quads.silhouettes`, which has tests of its
+own); they are surely seen where something farther is drawn beyond them, unless they end in a cusp
+nearby (D. DeCarlo et al., "Suggestive Contours for Conveying Shape", 2003: the radial curvature).
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
 from glshim.geometry.crease.creases import Creases, creases
-from glshim.geometry.crease.quads import Silhouettes, silhouettes
 from glshim.geometry.recovery.mesh import mesh as recovered
-from glshim.render.passes.runner import seen_from
+from glshim.geometry.references.crease_quads import Silhouettes, silhouettes
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.passes.runner import seen_from
 from tests import look
 from tests.score import sight, truth
 

@@ -20,9 +20,9 @@ import numpy as np
 from OpenGL import GL
 from PIL import Image
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Styler
 from stylers.crease import Crease
 from stylers.edge_mesh import EdgeMesh

@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from glshim.commands.gallery import all_styles
 from glshim.errors import StyleError
-from glshim.gallery.cli import all_styles
-from glshim.options import parse_style
+from glshim.styling.texts import parse_style
 
 PROGRAMS = ("demo_apps.07_cad_part", "demo_apps.06_chess", "demo_apps.08_figure")
 LARGE = (5000, 5000)

@@ -5,17 +5,17 @@ from __future__ import annotations
 
 import sys
 
-from glshim import options
 from glshim.checks import values, window
 from glshim.checks.finding import Finding, finding
 from glshim.errors import EnvironmentFault, GlshimError
 from glshim.notices import say
+from glshim.styling import texts
 
 
 def main(text: str) -> int:
     """Print a line a check; 0 where all hold."""
     try:
-        styler = options.parse_style(text)
+        styler = texts.parse_style(text)
     except GlshimError as error:
         print(Finding("it can be loaded", str(error), "mend that first: nothing else was tried"))
         return 1

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from glshim.styling.values import Layer
 
 Doubles = NDArray[np.float64]

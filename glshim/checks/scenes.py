@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.checks import layers
+from glshim.model.batch import PolygonBatch
 
 Scene = Callable[[], None]
 

@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.checks import layers
 from glshim.checks.finding import Check, Fault
 from glshim.errors import StyleError
+from glshim.model.batch import PolygonBatch
 from glshim.styling.fromfile import shortcoming
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import (
@@ -203,7 +203,7 @@ def _every_option(styler: Styler) -> str:
 
 def _uniforms_match(styler: Styler) -> None:
     """Of the shader texts themselves: drivers drop uniforms that come to nothing."""
-    shaders = files("glshim.render") / "shaders"
+    shaders = files("glshim.outputs.gl") / "shaders"
     preludes = ((shaders / f"{name}.glsl").read_text("utf-8") for name in _PRELUDES)
     reserved = {name for text in preludes for name in _declared(text)}
     tried = [

@@ -19,8 +19,8 @@ from glshim.checks.finding import Check, Fault
 from glshim.checks.observe import App, Outcome, observe
 from glshim.checks.values import draws_of, variants
 from glshim.errors import EnvironmentFault, RenderError
-from glshim.render.backend import Backend
-from glshim.render.fixed import FixedPen
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.fixed import FixedPen
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
 _FRAMES = 12
@@ -66,7 +66,7 @@ def _shaders_link(styler: Styler) -> str:
                 except Exception as error:
                     raise Fault(
                         f"{text}: {type(error).__name__}: {error}",
-                        "texts follow the preludes of glshim/render/shaders, without #version; "
+                        "texts follow the preludes of glshim/outputs/gl/shaders, without #version; "
                         "uniforms fit what the shader declares",
                     ) from error
     return f"{len(seen)} shaders"

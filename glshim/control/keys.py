@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from glshim.capture.keyboard import MODIFIERS, NAMES, SPECIAL, chord
 from glshim.errors import StyleError, nearest
+from glshim.toolkits.keyboard import MODIFIERS, NAMES, SPECIAL, chord
 
 KEYS, STYLES, SAVE = "GLSHIM_KEYS", "GLSHIM_STYLES", "GLSHIM_SAVE"
 DEFAULTS = {"cycle": "F9", "back": "shift+F9", "toggle": "F10", "save": "F11", "overlay": "F12"}
@@ -22,7 +22,7 @@ class Keys:
     """Keys by what they do."""
 
     chords: Mapping[str, str]
-    """Action to chord, as `glshim.capture.keyboard.chord` writes it."""
+    """Action to chord, as `glshim.toolkits.keyboard.chord` writes it."""
     named: frozenset[str] = frozenset()
     """Actions whose keys the user chose: they are ours also where the program uses them."""
 
@@ -43,7 +43,7 @@ class LiveSettings:
 
 
 def parse_chord(text: str) -> str:
-    """``F9``, ``shift+F9``, ``ctrl+alt+k`` as `glshim.capture.keyboard.chord` writes it. Raises
+    """``F9``, ``shift+F9``, ``ctrl+alt+k`` as `glshim.toolkits.keyboard.chord` writes it. Raises
     `StyleError`."""
     *modifiers, name = (part.strip() for part in text.split("+"))
     known = {key.lower(): key for key in NAMES}

@@ -18,15 +18,15 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim import options, pipeline
-from glshim.capture import frames, keyboard
+from glshim import pipeline
 from glshim.control import owners
 from glshim.control.keys import KEYS, LiveSettings
 from glshim.errors import GlshimError
 from glshim.notices import say, say_once
-from glshim.render import framegrab, overlay
-from glshim.styling import registry
+from glshim.outputs.gl import framegrab, overlay
+from glshim.styling import registry, texts
 from glshim.styling.protocol import Styler, options_of
+from glshim.toolkits import frames, keyboard
 from stylers.looks import looks
 
 _PLAIN = "none"
@@ -38,7 +38,7 @@ _WEIGHT = 0.1
 
 
 class Controls:
-    """A `glshim.capture.keyboard.Listener`, and a listener to frame ends."""
+    """A `glshim.toolkits.keyboard.Listener`, and a listener to frame ends."""
 
     def __init__(self, settings: LiveSettings, style: str | None, folder: str) -> None:
         """style: the text of the one that is on already; relative paths are the folder's."""
@@ -134,7 +134,7 @@ class Controls:
                 self._at = (self._at + step) % len(self._styles)
             text = self._styles[self._at]
             try:
-                styler = options.parse_style(text, self._folder)
+                styler = texts.parse_style(text, self._folder)
             except GlshimError as error:
                 say_once(f"style {text!r} is passed over: {error}")
                 continue

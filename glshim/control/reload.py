@@ -11,11 +11,11 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from glshim import options
-from glshim.capture import frames
 from glshim.errors import GlshimError
 from glshim.notices import forget, say, say_fault
+from glshim.styling import texts
 from glshim.styling.protocol import Styler
+from glshim.toolkits import frames
 
 INTERVAL = 0.25
 """Seconds between two looks at the files, at least."""
@@ -51,7 +51,7 @@ class Reloader:
         # Looked at first: what is written while it is read is read again.
         before = dict(zip(self._files, stamp(self._files), strict=True))
         try:
-            return options.parse_style(self._text, self._folder, files)
+            return texts.parse_style(self._text, self._folder, files)
         finally:
             # A file that nobody gets to while one before it is broken stays watched.
             kept = (file for file, found in before.items() if found is not None)
@@ -70,7 +70,7 @@ class Reloader:
     @property
     def watches(self) -> bool:
         """Whether the text is that of a file."""
-        return options.is_path(self._text)
+        return texts.is_path(self._text)
 
     def install(self) -> None:
         """Look at the files where frames end, if there are any to watch."""

@@ -6,7 +6,7 @@ import ctypes
 import re
 from functools import cache
 
-from .driver import gl
+from glshim.spec.driver import gl
 
 Version = tuple[int, int]
 

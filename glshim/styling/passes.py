@@ -10,10 +10,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
 from glshim.geometry.crease.creases import Criterion
-from glshim.geometry.passes.poses import Pose
+from glshim.geometry.meshshaders.poses import Pose
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from glshim.styling.pictures import Image
 from glshim.styling.values import Layer, Uniform
 
@@ -91,10 +91,10 @@ class Sieve:
     """Elements that surely are none of these are left out before the shader decides. Of meshes that
     a pose moves none are. Lines, and triangles with adjacency, stay for the sake of their edges: of
     the two at an edge the one whose corner off it has the lesser number; or where the pass has
-    creases for the bits of `glshim.geometry.passes.sieve`."""
+    creases for the bits of `glshim.geometry.meshshaders.sieve`."""
 
     wanted: int
-    """Bits of `glshim.geometry.passes.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
+    """Bits of `glshim.geometry.meshshaders.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
     angles: tuple[float, float] = (0.0, 0.0)
     """Of ridges and valleys, radians."""
 

@@ -29,15 +29,14 @@ from typing import Any, ClassVar, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.errors import StyleError
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes.feature_lines import Features
-from glshim.geometry.strokes.lines import Choice
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from glshim.styling.fixed import BackFaces
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image, read_image
 from glshim.styling.values import Colour, Layer, Uniform
+from glshim.styling.wishes import Choice, Features
 
 __all__ = [
     "BackFaces", "Colour", "Draw", "Expand", "Expansion", "Layer", "Option", "Pass", "Shader",
@@ -227,7 +226,7 @@ class Expand(Protocol):
         hair: float,
         blur: float,
     ) -> Expansion:
-        """Strips of records (L, 21), see `glshim.geometry.strokes.lines.RECORD`. The camera's depth
+        """Strips of records (L, 21), see `glshim.model.lines.RECORD`. The camera's depth
         range is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by
         which depths may not be those of pixel centres."""
 
@@ -236,7 +235,7 @@ class Expand(Protocol):
 class Shader:
     """GLSL texts (no ``#version`` line) that turn one line record into one triangle strip.
 
-    `vertex` follows the prelude ``glshim/render/shaders/line.glsl``, which declares the record
+    `vertex` follows the prelude ``glshim/outputs/gl/shaders/line.glsl``, which declares the record
     and the camera and offers the offset formulas; `fragment` follows ``depth.glsl``, which gives
     the layer's finished depth. The ink that it writes is premultiplied; where strokes overlap each
     channel keeps its greatest value.

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.geometry.lights import Lighting
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.model.lights import Lighting
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import ClassVar
 
-from glshim.geometry.lights import Light
+from glshim.model.lights import Light
 from glshim.styling.passes import Body, Pass
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
 from stylers import options

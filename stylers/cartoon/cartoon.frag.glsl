@@ -2,7 +2,7 @@
 // Inputs: pixel.glsl, lamps.glsl (stylers/shading): the app's picture holds its paints, unlit.
 // Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
 //         2000, section 3; rims: P. Barla et al., "X-Toon", NPAR 2006, section 3.2 (a tone that
-//         depends on n . v). Numpy reference of the bands: glshim/geometry/lights.py.
+//         depends on n . v). Numpy reference of the bands: glshim/model/lights.py.
 
 uniform float bands;
 uniform float exposure;     // of the light

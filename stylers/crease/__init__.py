@@ -14,7 +14,7 @@ from math import radians
 from typing import Any, ClassVar, cast
 
 from glshim.geometry.crease.creases import Criterion
-from glshim.geometry.passes.sieve import CREASE, SMOOTH
+from glshim.geometry.meshshaders.sieve import CREASE, SMOOTH
 from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option

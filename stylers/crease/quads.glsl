@@ -3,7 +3,7 @@
 // Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the next
 //         one, or that corner again where nothing is. stroke.glsl.
 // Source: Hajagos et al. 2012, sections 4.2 and 4.3, done on the screen so that the width is exact;
-//         numpy reference: glshim/geometry/crease/quads.py.
+//         numpy reference: glshim/geometry/references/crease_quads.py.
 
 layout(triangles_adjacency) in;
 

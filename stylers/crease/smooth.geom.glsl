@@ -7,7 +7,7 @@ layout(triangle_strip, max_vertices = 12) out;
 uniform int back_faces;  // 1: they alone hide contours
 uniform int creased;     // 1: creases are drawn, too
 
-// As glshim/geometry/contour/smooth_lines.py has them.
+// As glshim/linework/smooth_lines.py has them.
 const float BENT = 0.02;    // a vertex normal so far from the triangle's bends it wholly
 const float NEAREST = 0.2;  // share of the way to the viewer that a line is lifted at most
 

@@ -10,13 +10,12 @@ from dataclasses import dataclass, replace
 from math import cos, radians, sin
 from typing import Any, ClassVar, cast
 
-from glshim.geometry.strokes.chains import Pattern
-from glshim.geometry.strokes.feature_lines import Features
-from glshim.geometry.strokes.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
-from glshim.geometry.strokes.raskar import INWARD
+from glshim.geometry.raskar import INWARD
+from glshim.model.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from glshim.styling.wishes import Features, Pattern
 from stylers import options
 from stylers.edge_mesh.paper import PaperLook, paper_passes
 from stylers.edge_mesh.tones import TONES, tone_passes

@@ -1,7 +1,7 @@
 // What:   an edge on the screen as a stroke of the paper: its ends, sides, normals and texture.
 // Inputs: an edge (edges.glsl); the look of each kind: contours, ridges, valleys, marked, boundary.
 // Source: McGuire & Hughes 2004, sections 3.2, 3.3 and 4. Numpy reference:
-//         glshim/geometry/passes/thick_lines.py. Pixels are from the middle of the viewport.
+//         glshim/geometry/references/thick_lines.py. Pixels are from the middle of the viewport.
 
 uniform int wanted;         // bits of features
 uniform vec2 turns;         // cosines of the threshold angles of ridges and valleys

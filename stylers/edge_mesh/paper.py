@@ -11,7 +11,7 @@ from importlib.resources import files
 from math import cos, radians
 from typing import Literal
 
-from glshim.geometry.passes.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
+from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
 from glshim.styling.passes import Actions, Body, MeshShader, Pass, Sieve, State, Stencil, bodies
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.protocol import Colour, Layer, Uniform

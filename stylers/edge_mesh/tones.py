@@ -14,7 +14,7 @@ from importlib.resources import files
 
 import numpy as np
 
-from glshim.geometry.camera import Camera
+from glshim.model.camera import Camera
 from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Layer, Uniform

@@ -13,7 +13,7 @@ from importlib.resources import files
 from math import pi
 from typing import ClassVar
 
-from glshim.geometry.passes.edge_mesh import BOUNDARY, CONTOUR
+from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
 from stylers import options

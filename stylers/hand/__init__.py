@@ -2,8 +2,8 @@
 
 NPRQuake (Mohr, Gleicher, *Non-Invasive, Interactive, Stylized Rendering*, 2001) draws every side of
 every polygon with a jittered stroke. Here strokes run along chains of feature edges from corner to
-corner (`glshim.geometry.strokes.hand`), and their jitter lies on them as a pattern does, so that it
-stays where it was while the model turns (`glshim.geometry.strokes.coherence`).
+corner (`glshim.linework.hand`), and their jitter lies on them as a pattern does, so that it
+stays where it was while the model turns (`glshim.linework.coherence`).
 """
 
 from __future__ import annotations
@@ -14,11 +14,10 @@ from functools import cache
 from importlib.resources import files
 from math import cos, floor, radians, sin
 
-from glshim.geometry.strokes.chains import Pattern
-from glshim.geometry.strokes.feature_lines import Features
-from glshim.geometry.strokes.lines import GROUPS, Choice
+from glshim.model.lines import GROUPS
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Uniform
+from glshim.styling.wishes import Choice, Features, Pattern
 from stylers.crossings import looked_for
 from stylers.hand.expansion import expand
 
@@ -143,7 +142,7 @@ def uniforms(hand: Hand) -> dict[str, Uniform]:
     """What the shader asks of a hand, all but the seed of its motions."""
     ridge, valley = (radians(180.0 + side * hand.crease_angle) for side in (-1.0, 1.0))
     outline, inner = hand.widths
-    # Outlines are groups 0 and 5 (`glshim.geometry.strokes.lines.GROUPS`).
+    # Outlines are groups 0 and 5 (`glshim.model.lines.GROUPS`).
     outlines = [group in (0, 5) for group in range(GROUPS)]
     return {
         "widths": tuple(outline if of_outline else inner for of_outline in outlines),

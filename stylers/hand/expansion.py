@@ -8,8 +8,9 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.vectors import unit
+from glshim.model.camera import Camera
+from glshim.model.lines import Line
+from glshim.model.vectors import unit
 from glshim.styling.protocol import Expansion, Uniform
 from stylers.raskar import expansion as raskar
 
@@ -36,7 +37,7 @@ def expand(
     wobble, most, share = (float(cast(float, uniforms[name]))
                            for name in ("wobble", "overshoot", "overshoot_share"))  # fmt: skip
     width = found.extent[drawn, 1] - found.extent[drawn, 0]
-    before, after = rows[:, 18], rows[:, 19]
+    before, after = rows[:, Line.BEFORE], rows[:, Line.AFTER]
     span = np.hypot(*(b - a).T)
     way = np.where(repeats[:, 1] < repeats[:, 0], -1.0, 1.0)
     length = np.minimum(before + span + after, 1e5)

@@ -1,7 +1,7 @@
 """Style ``raskar``: silhouettes, ridges, valleys and intersections.
 
 R. Raskar, "Hardware Support for Non-photorealistic Rendering", Graphics Hardware 2001,
-sections 2.1 to 2.4. The formulas stand in `glshim.geometry.strokes.raskar`.
+sections 2.1 to 2.4. The formulas stand in `glshim.geometry.raskar`.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
-from glshim.geometry.strokes.chains import Pattern
-from glshim.geometry.strokes.lines import GROUPS, Choice
-from glshim.geometry.strokes.raskar import INWARD
+from glshim.geometry.raskar import INWARD
+from glshim.model.lines import GROUPS
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
+from glshim.styling.wishes import Choice, Pattern
 from stylers import options, strokes
 from stylers.raskar.expansion import expand
 

@@ -8,8 +8,8 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes import raskar
+from glshim.geometry import raskar
+from glshim.model.camera import Camera
 from glshim.styling.protocol import Expansion, Uniform
 
 

@@ -1,7 +1,7 @@
 // What:   one line of a record as a stroke in the window. For vertex stages.
 // Inputs: a line record and the camera (line.glsl); widths in pixels; the threshold angles.
 // Source: Raskar 2001, sections 2.1 to 2.4, done on the screen so that the width is exact
-//         (derivation and numpy reference: glshim/geometry/strokes/raskar.py).
+//         (derivation and numpy reference: glshim/geometry/raskar.py).
 
 uniform float widths[GROUPS];  // pixels
 uniform vec2 ridge_turn;   // cosine and sine of the threshold angle

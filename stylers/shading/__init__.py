@@ -14,7 +14,7 @@ from math import cos, isfinite, radians
 import numpy as np
 
 from glshim.geometry.crease.creases import Criterion
-from glshim.geometry.lights import Light
+from glshim.model.lights import Light
 from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
 from glshim.styling.protocol import Layer, Uniform
 

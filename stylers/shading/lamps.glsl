@@ -1,5 +1,5 @@
 // What:   the light that falls on a surface from lamps: the app's GL_LIGHTs, or the style's own.
-// Inputs: glshim/geometry/lights.py, in whose order they come.
+// Inputs: glshim/model/lights.py, in whose order they come.
 // Source: The OpenGL Specification, version 2.1, section 2.14.1. Numpy reference: the same module's
 //         `incoming`. Highlights: J. Blinn, "Models of Light Reflection for Computer Synthesized
 //         Pictures", SIGGRAPH 1977.

@@ -2,7 +2,7 @@
 // Inputs: pixel.glsl, lamps.glsl (stylers/shading), of which there is one.
 // Source: A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for
 //         Automatic Technical Illustration", SIGGRAPH 1998, equations 1 to 4. Numpy reference:
-//         glshim/geometry/lights.py.
+//         glshim/model/lights.py.
 
 uniform vec4 paint;        // alpha 0: the app's
 uniform float blue, yellow, alpha, beta;

@@ -11,11 +11,11 @@ from time import perf_counter
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.crease.creases import Creases, creases
 from glshim.geometry.crease.smoothing_groups import by_traversal
 from glshim.geometry.recovery.mesh import mesh, weld
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.model.batch import PolygonBatch
 
 # Name, triangles, and Hajagos's milliseconds: adjacency alone, with creases.
 PAPER = (

@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import ClassVar
 
-from glshim.headless import virtual_screen
+from glshim.running.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
 from stylers.edge_mesh.paper import PaperLook, paper_passes
@@ -80,7 +80,7 @@ def run(mode: str, seconds: float, sieved: bool, screen: dict[str, str]) -> floa
 
 def print_memory() -> None:
     """Bytes of the textures that the passes read, over those of the input mesh."""
-    from glshim.render.guard import Guard
+    from glshim.outputs.gl.guard import Guard
     from tests import look
     from tests.benchmarks import scenes
     from tests.decision.edge_mesh import runner

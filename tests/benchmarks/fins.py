@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import ClassVar
 
-from glshim.headless import virtual_screen
+from glshim.running.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
 from stylers.crease import Crease

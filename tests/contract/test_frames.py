@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from glshim.capture import frames
+from glshim.toolkits import frames
 
 GLUT = """
 import atexit, sys

@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from glshim.capture import keyboard, qt, qt_keys
-from glshim.capture.keyboards import KEYBOARDS
-from glshim.capture.toolkits import TOOLKITS
+from glshim.toolkits import keyboard, qt, qt_keys
+from glshim.toolkits.keyboards import KEYBOARDS
+from glshim.toolkits.toolkits import TOOLKITS
 
 
 class Listening:

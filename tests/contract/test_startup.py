@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from glshim import launch
-from glshim.capture import imports
+from glshim.bindings import imports
+from glshim.running import launch
 
 ROOT = Path(__file__).parents[2]
 LOADED = "import sys; print(*sorted(m for m in sys.modules if m.startswith(('glshim', '_glshim'))))"
@@ -37,8 +37,8 @@ def test_with_no_variable_nothing_is_imported() -> None:
 
 
 def test_a_program_without_pyopengl_gets_the_watch_alone() -> None:
-    expected = ["_glshim_start", "glshim", "glshim.capture", "glshim.capture.imports"]
-    assert loaded("pass", GLSHIM_STYLE="raskar") == [*expected, "glshim.capture.startup"]
+    expected = ["_glshim_start", "glshim", "glshim.bindings", "glshim.bindings.imports"]
+    assert loaded("pass", GLSHIM_STYLE="raskar") == [*expected, "glshim.running.startup"]
     assert "numpy" not in loaded("import json", GLSHIM_STYLE="raskar")
 
 
@@ -132,7 +132,7 @@ def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path)
             [python, "-I", "-c", LOADED], env={"PATH": os.environ["PATH"], **variables},
             capture_output=True, text=True, check=True,
         )  # fmt: skip
-        assert ("glshim.capture.startup" in done.stdout.split()) == expected
+        assert ("glshim.running.startup" in done.stdout.split()) == expected
         assert done.stderr == ""
 
 
@@ -180,7 +180,7 @@ def test_a_module_that_is_there_already_is_acted_on_now() -> None:
 
 def test_an_action_waits_for_an_import_under_way(package: Path) -> None:
     (package / "watched_c.py").write_text(
-        "from glshim.capture import imports\n"
+        "from glshim.bindings import imports\n"
         "seen = []\n"
         "imports.after_import('watched_c', lambda module: seen.append(module.end))\n"
         "end = 'reached'\n"

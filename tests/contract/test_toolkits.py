@@ -7,9 +7,9 @@ from typing import Any
 
 import pytest
 
-from glshim.capture import frames
-from glshim.capture.qt import hook_painting, hook_swaps
-from glshim.capture.toolkits import TOOLKITS
+from glshim.toolkits import frames
+from glshim.toolkits.qt import hook_painting, hook_swaps
+from glshim.toolkits.toolkits import TOOLKITS
 
 
 @pytest.fixture

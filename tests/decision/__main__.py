@@ -14,7 +14,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from tests import look
 from tests.decision.folds import VARIANTS
 from tests.decision.sweep import DISTANCES, SIZE

@@ -15,14 +15,14 @@ from math import cos, radians
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.geometry.passes.edge_mesh import features
-from glshim.render.backend import Backend
-from glshim.render.depth import DepthCopy
-from glshim.render.guard import Guard
-from glshim.render.objects import Objects
-from glshim.render.passes.runner import Runner, seen_from
+from glshim.geometry.meshshaders.edge_mesh import features
+from glshim.linework.objects import Objects
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.passes.runner import Runner, seen_from
 from glshim.styling.passes import Body, MeshShader, Pass
 from tests import look
 from tests.score import meshes as scored

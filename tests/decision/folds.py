@@ -12,8 +12,8 @@ from typing import Literal
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 
 Kind = Literal["ridge", "valley"]
 Variant = Literal["one batch", "two objects", "in pieces"]

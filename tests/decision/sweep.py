@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from OpenGL import GL
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from tests.decision.folds import DIRECTIONS, Kind, Variant, views
 from tests.decision.sweep import BROKEN, NONE, WHOLE, WIDTH, Distance, Outcome, outcomes
 from tests.styles import only

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch
 from glshim.styling.protocol import Draw, Layer, Pass, Styler
 
 from .world import HEIGHT, WIDTH, App, Scene, run

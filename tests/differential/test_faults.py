@@ -15,7 +15,7 @@ from OpenGL import GL
 from OpenGL.GL import glBegin, glCallList, glColor3f, glEnd, glVertex3f, glVertex3fv
 
 import glshim
-from glshim.capture import forward
+from glshim.bindings.pyopengl import forward
 from glshim.errors import StyleError
 from glshim.styling.protocol import Draw, Layer, Styler
 

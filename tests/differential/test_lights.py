@@ -9,7 +9,7 @@ from typing import ClassVar
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.lights import Light, Lighting
+from glshim.model.lights import Light, Lighting
 from glshim.styling.protocol import Draw, Layer, Pass, Styler
 
 from .world import App, run

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from OpenGL import GL, GLU
 
-from glshim.assembly.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch
 
 from .gathering import gathered
 from .scenes_lists import recorded

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.edge_mesh.paper import PaperLook, paper_passes
 from tests import look

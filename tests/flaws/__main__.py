@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from tests import look
 from tests.flaws.render import both
 from tests.flaws.scenes import FURTHER, SCENES, SIZE, Scene

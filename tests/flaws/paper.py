@@ -21,8 +21,8 @@ from collections.abc import Sequence
 import numpy as np
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from tests import look
 
 _AXIS = np.array([0.0, 0.0, -1.0])

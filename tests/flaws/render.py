@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from OpenGL import GL
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from tests import look
 from tests.flaws import paper

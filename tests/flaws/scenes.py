@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from tests import look
 from tests.flaws import measure
 from tests.flaws.measure import Picture

@@ -12,9 +12,9 @@ import sys
 import numpy as np
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Styler
 from stylers.hand import Hand, strokes
 from stylers.raskar import Raskar

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
-from glshim.render.cameras import hair_of
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.cameras import hair_of
 from glshim.styling.protocol import Draw, Layer
 from stylers.blueprint import Blueprint
 from stylers.blueprint.dimensions import characters

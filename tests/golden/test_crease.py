@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from stylers.crease import Crease
 from tests import creased, look
 

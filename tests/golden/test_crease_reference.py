@@ -1,4 +1,4 @@
-"""The quads of the GPU are the numpy references' (glshim/geometry/crease/quads.py)."""
+"""The quads of the GPU are the numpy references' (glshim/geometry/references/crease_quads.py)."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
 from glshim.geometry.crease.creases import creases
-from glshim.geometry.crease.quads import crease_quads, silhouette_quads, silhouettes
 from glshim.geometry.recovery.mesh import mesh as recovered
-from glshim.render.depth import DepthCopy
-from glshim.render.guard import Guard
-from glshim.render.passes.runner import seen_from
+from glshim.geometry.references.crease_quads import crease_quads, silhouette_quads, silhouettes
+from glshim.model.camera import Camera
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from stylers.crease import CREASES, SILHOUETTES
 from tests import creased, look

@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes import crossings as geometry
-from glshim.geometry.strokes.lines import Choice
-from glshim.render.cameras import grouped
-from glshim.render.depth import DepthCopy
-from glshim.render.driver import gl
-from glshim.render.guard import Guard
-from glshim.render.lines.crossings import Crossings
-from glshim.render.lines.laying import triangles as fans
-from glshim.render.plain import _OFF
+from glshim.linework import crossings as geometry
+from glshim.linework.groups import grouped
+from glshim.model.camera import Camera
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.lines.crossings import Crossings
+from glshim.outputs.gl.lines.laying import triangles as fans
+from glshim.outputs.gl.plain import _OFF
 from glshim.styling.protocol import Draw
+from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER
 from tests import look
 

@@ -11,13 +11,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.strokes.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
-from glshim.geometry.strokes.screen import window
-from glshim.render.backend import Backend
+from glshim.geometry.window import window
+from glshim.linework.feature_lines import EdgeLines, feature_lines
+from glshim.model.camera import Camera
+from glshim.model.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
+from glshim.styling.wishes import Features
 from stylers.edge_mesh import EdgeMesh
 from stylers.raskar import Raskar
 from tests import coherence, look, surfaces
@@ -345,8 +346,8 @@ def test_ink_lies_where_lines_are_and_nowhere_else(scores, name):
 OLD = """
 import sys
 import numpy as np
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from stylers.edge_mesh import EdgeMesh
 from tests import look
 from tests.score import meshes

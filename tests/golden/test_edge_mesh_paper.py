@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.passes import thick_lines
-from glshim.geometry.passes.edge_mesh import features
-from glshim.geometry.passes.poses import Keyframes, Skin
-from glshim.geometry.passes.sieve import EdgeSieve
-from glshim.render.backend import Backend
-from glshim.render.depth import DepthCopy
-from glshim.render.guard import Guard
-from glshim.render.passes.runner import seen_from
+from glshim.geometry.meshshaders.edge_mesh import features
+from glshim.geometry.meshshaders.poses import Keyframes, Skin
+from glshim.geometry.meshshaders.sieve import EdgeSieve
+from glshim.geometry.references import thick_lines
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.passes import Body
 from glshim.styling.protocol import Layer
 from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.passes.extent import Extent
+from glshim.geometry.meshshaders.extent import Extent
 from glshim.geometry.recovery.mesh import mesh
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.fins import Fins
 from tests import flicker, look

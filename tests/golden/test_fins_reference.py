@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.passes.fins import drawn_sides, facing, fins
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import mesh as recovered
-from glshim.render.depth import DepthCopy
-from glshim.render.guard import Guard
+from glshim.geometry.references.fins import drawn_sides, facing, fins
+from glshim.model.camera import Camera
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.guard import Guard
 from glshim.styling.protocol import Layer
 from stylers.fins import Fins, as_printed
 from tests import look

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from tests import look
 from tests.flaws import scenes
 from tests.flaws.render import both

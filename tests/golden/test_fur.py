@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
-from glshim.render.backend import Backend
-from glshim.render.objects import Objects
-from glshim.render.passes.meshes import Residents
+from glshim.linework.objects import Objects
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.passes.meshes import Residents
 from glshim.styling.protocol import Layer
 from stylers.fur import Fur
 from tests import look
@@ -259,7 +259,7 @@ def test_no_state_changes_and_all_fur_arrives(backend, app):
 
 
 LEGACY = """
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from tests import look
 from tests.golden.test_fur import DEEP, FUR

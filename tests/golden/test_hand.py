@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes.chains import Pattern
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Styler
+from glshim.styling.wishes import Pattern
 from stylers.brush import Brush
 from stylers.edge_mesh import EdgeMesh
 from stylers.hand import Hand, strokes

@@ -6,9 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle

@@ -9,14 +9,16 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes.edges import edges
-from glshim.geometry.strokes.gather import Places
-from glshim.geometry.strokes.lines import RIDGE, Choice, lines
-from glshim.render.backend import Backend
-from glshim.render.driver import gl
-from glshim.render.lines.laying import triangles
+from glshim.geometry.edges.edges import edges
+from glshim.geometry.edges.gather import Places
+from glshim.linework.polygon_lines import lines
+from glshim.model.camera import Camera
+from glshim.model.lines import RIDGE
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl.lines.laying import triangles
 from glshim.styling.protocol import Layer
+from glshim.styling.wishes import Choice
 from stylers.raskar import Raskar
 from tests import look, oracle
 

@@ -10,27 +10,19 @@ import dataclasses
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes import raskar
-from glshim.geometry.strokes.edges import edges
-from glshim.geometry.strokes.gather import Places
-from glshim.geometry.strokes.lines import (
-    FIN,
-    INTERSECTION,
-    LONE_RIDGE,
-    OUTLINES,
-    RIDGE,
-    RING,
-    VALLEY,
-    Choice,
-    lines,
-)
-from glshim.render.backend import Backend
-from glshim.render.cameras import turned
-from glshim.render.depth import DepthCopy
-from glshim.render.driver import gl
-from glshim.render.guard import Guard
-from glshim.render.lines.canvas import Canvas
+from glshim.geometry import raskar
+from glshim.geometry.edges.edges import edges
+from glshim.geometry.edges.gather import Places
+from glshim.linework.polygon_lines import lines
+from glshim.model.camera import Camera
+from glshim.model.lines import FIN, INTERSECTION, LONE_RIDGE, OUTLINES, RIDGE, RING, VALLEY
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.cameras import turned
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.lines.canvas import Canvas
+from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER
 from stylers.raskar.expansion import expand
 from tests import look

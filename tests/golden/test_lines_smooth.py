@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes.lines import RIDGE
-from glshim.geometry.strokes.raskar import Strokes
-from glshim.render.backend import Backend
+from glshim.geometry.raskar import Strokes
+from glshim.model.camera import Camera
+from glshim.model.lines import RIDGE
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look
@@ -190,7 +190,7 @@ def test_a_multisampled_window_gets_the_same_lines(backend):
 
 def test_the_reference_of_coverage_is_a_box_filter():
     """One pixel wide ramps about the rims, round at the ends of what is not an outline."""
-    from glshim.geometry.strokes.raskar import coverage
+    from glshim.geometry.raskar import coverage
 
     one = np.ones((1, 2))
     line = Strokes(

@@ -10,9 +10,9 @@ import pytest
 from OpenGL import GL
 
 from glshim.errors import RenderError
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
-from glshim.render.driver import gl
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look
@@ -233,6 +233,6 @@ def test_nothing_is_drawn_while_a_list_is_compiled_or_the_stack_is_full(backend)
 
 
 def test_no_context_is_a_render_error(monkeypatch):
-    monkeypatch.setattr("glshim.render.driver.gl.glGetString", lambda name: None, raising=False)
+    monkeypatch.setattr("glshim.outputs.gl.driver.gl.glGetString", lambda name: None, raising=False)
     with pytest.raises(RenderError, match="no GL context"):
         Backend.attach()

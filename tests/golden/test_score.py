@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from glshim.render.backend import Backend
+from glshim.outputs.gl.backend import Backend
 from tests import look
 from tests.score import meshes, subjects, views
 from tests.score.__main__ import LIMIT

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.lights import Light, Lighting, banded, gooch, incoming
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.model.lights import Light, Lighting, banded, gooch, incoming
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.cartoon import Cartoon
 from stylers.hiddenline import HiddenLine

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from glshim.geometry.camera import Camera
-from glshim.options import parse_style
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
+from glshim.styling.texts import parse_style
 from stylers.raskar import Raskar
 from tests import look
 

@@ -11,8 +11,8 @@ import pytest
 from OpenGL import GL
 from PIL import Image
 
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, parse_colour
 from stylers.edge_mesh import EdgeMesh
 from stylers.edge_mesh.tones import TONES, tone_passes

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.render.arrays import fans
-from glshim.render.driver import gl
-from glshim.render.fixed import FixedPen
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.arrays import fans
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl.fixed import FixedPen
 from glshim.styling.protocol import Layer
 from stylers.two_pass import TwoPass
 from tests import look, oracle
@@ -29,8 +29,8 @@ VIEWS = look.directions(6)
 PURPLE = (0x60, 0x20, 0x80)
 
 BARE = """
-from glshim.render.driver import gl
-from glshim.render import fixed
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl import fixed
 from tests.differential.test_contexts import cube
 from tests.differential.world import run
 from tests.golden.test_two_pass import inked
@@ -53,7 +53,7 @@ for style in (TwoPass(ink="#602080"), TwoPass(ink="#602080", fill="#ffffff", smo
 """A program under the style, from its calls to its picture."""
 
 OLDEST = """
-from glshim.render.driver import gl
+from glshim.outputs.gl.driver import gl
 from tests import look
 from tests.golden.test_two_pass import CAMERA, ink_of
 from stylers.two_pass import TwoPass
@@ -77,7 +77,7 @@ CORE = """
 import glfw
 from OpenGL import GL
 from glshim.errors import RenderError
-from glshim.render.fixed import FixedPen
+from glshim.outputs.gl.fixed import FixedPen
 from stylers.two_pass import TwoPass
 from glshim.styling.protocol import Layer
 from tests import look
@@ -351,7 +351,7 @@ def test_an_app_is_restyled_and_sees_nothing_of_it():
 @pytest.mark.parametrize("variables", [{}, LEGACY], ids=["modern", "2.1"])
 def test_no_shader_no_framebuffer_object_and_no_buffer_object(variables):
     # The mark by which glshim knows a context again is a name of one of these, in any style.
-    text = "from glshim.following import scene\nscene.Scene.mark = lambda self: None\n"
+    text = "from glshim.sources import scene\nscene.Scene.mark = lambda self: None\n"
     done = child("-c", f"{text}FORBIDDEN = True\n{BARE}", **variables)
     assert done.returncode == 0, done.stderr
     assert "glshim:" not in done.stderr
@@ -382,7 +382,7 @@ def test_a_core_profile_is_said_once_and_passes():
 
 def test_a_width_past_the_drivers_is_said_once(capsys, monkeypatch):
     from glshim import notices
-    from glshim.render import fixed
+    from glshim.outputs.gl import fixed
 
     monkeypatch.setattr(notices, "_said", set())
     real = gl.glGetFloatv
@@ -401,7 +401,7 @@ def test_a_width_past_the_drivers_is_said_once(capsys, monkeypatch):
 
 def test_a_window_without_depth_gets_no_lines(capsys, monkeypatch):
     from glshim import notices
-    from glshim.render import fixed
+    from glshim.outputs.gl import fixed
 
     monkeypatch.setattr(notices, "_said", set())
     real = fixed.integer

@@ -5,8 +5,8 @@ as `__main__`. Of glshim it imports what holds clocks alone, and it draws nothin
 read from the X screen after the program's own call that presents it, so it is the same code, with
 the same result, whether or not another program has hooked OpenGL above or below these hooks.
 
-Time stands still while a frame is made (`glshim.stillness`), so that every run sees the same
-sequence of events.
+Time stands still while a frame is made (`glshim.running.stillness`), so that every run sees the
+same sequence of events.
 """
 
 import ctypes
@@ -24,8 +24,8 @@ from typing import Any
 
 import numpy as np
 
-from glshim import stillness
-from glshim.stillness import real_clock, real_sleep
+from glshim.running import stillness
+from glshim.running.stillness import real_clock, real_sleep
 
 GL_DOUBLEBUFFER = 0x0C32
 Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)

@@ -9,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 from demo_apps import blob, flag
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.strokes.edges import edges
+from glshim.geometry.edges.edges import edges
+from glshim.model.batch import PolygonBatch
 from tests import look
 
 RIDGE, VALLEY = 120.0, 240.0  # degrees: sharper than the one, deeper than the other

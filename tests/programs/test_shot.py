@@ -110,15 +110,15 @@ def test_the_program_sees_its_own_window(tmp_path: Path) -> None:
 
 
 def plan(path):
-    from glshim.shots.plan import Plan
+    from glshim.running.shots.plan import Plan
 
     return Plan(str(path), 3, None, 2.5).as_text()
 
 
 def run_board(folder, **variables):
     """What drawing_board.py says about GL's state, frame by frame."""
-    from glshim.headless import virtual_screen
-    from glshim.subjects import surroundings
+    from glshim.running.headless import virtual_screen
+    from glshim.running.subjects import surroundings
 
     with virtual_screen() as screen:
         done = subprocess.run(

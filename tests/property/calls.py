@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from OpenGL import GL
 from OpenGL.raw.GL.VERSION import GL_1_0 as raw
 
-from glshim.capture.forward import list_open
+from glshim.bindings.pyopengl.forward import list_open
 from tests.differential.world import App
 
 Step = tuple[Any, ...]

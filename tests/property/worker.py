@@ -13,8 +13,9 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from glshim import options, pipeline
+from glshim import pipeline
 from glshim.checks import observe
+from glshim.styling import texts
 from tests.differential.world import Outcome, run
 
 from .calls import Step, play
@@ -50,7 +51,7 @@ def _outcome(program: list[Step], style: str | None) -> Outcome | str:
 def _prepare() -> None:
     """What every fork would find out again: modules, and what GL answers."""
     assert pipeline
-    options.parse_style("raskar")
+    texts.parse_style("raskar")
 
     def queries() -> dict[int, str]:
         run(lambda app: None)

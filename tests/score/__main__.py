@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.render.backend import Backend
+from glshim.model.batch import PolygonBatch
+from glshim.outputs.gl.backend import Backend
 from tests import look
 from tests.score import meshes, report, subjects, views
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch
 from tests import look
 
 Rings = list[list[int]]

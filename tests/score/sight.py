@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from glshim.geometry.camera import Camera
+from glshim.model.camera import Camera
 from tests.score.truth import Body, Lines, eye_space, window_space
 
 HIDDEN, BESIDE, UNSURE, SURE = range(4)

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from glshim.geometry.camera import Camera
+from glshim.model.camera import Camera
 from tests.score.truth import Body, Lines, eye_space, window_space
 
 CREASE_ANGLE = 40.0

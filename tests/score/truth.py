@@ -22,8 +22,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
 from tests.score.crossings import crossings
 
 KINDS = ("silhouettes", "ridges", "valleys", "intersections")

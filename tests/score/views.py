@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from OpenGL import GL
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera
-from glshim.render.backend import Backend
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from tests import look
 from tests.score import smooth, truth

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.assembly.immediate import (
+from glshim.model.batch import PolygonBatch
+from glshim.sources.fixed.immediate import (
     assemble,
     assemble_many,
     concatenate,

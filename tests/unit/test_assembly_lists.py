@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.assembly.immediate import assemble
-from glshim.assembly.lists import (
+from glshim.model.transforms import MATRIX_CALLS
+from glshim.sources.fixed.immediate import assemble
+from glshim.sources.fixed.lists import (
     Bare,
     Call,
     Change,
@@ -16,7 +17,6 @@ from glshim.assembly.lists import (
     Opening,
     Primitive,
 )
-from glshim.geometry.transforms import MATRIX_CALLS
 from glshim.spec.attributes import BY_NAME
 
 MODELVIEW, PROJECTION, DEPTH_TEST, FILL, LINE = 0x1700, 0x1701, 0x0B71, 0x1B02, 0x1B01
@@ -130,7 +130,7 @@ def test_switches_that_forbid_lines(off: Change, on: Change) -> None:
 
 
 def test_batches_and_shapes_take_their_places() -> None:
-    from glshim.assembly.lists import Shape
+    from glshim.sources.fixed.lists import Shape
 
     batch = assemble(SQUARE.mode, SQUARE.stream)
     asked = []

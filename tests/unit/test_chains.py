@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes.chains import Pattern, measure
-from glshim.geometry.strokes.edges import edges
-from glshim.geometry.strokes.gather import Places
-from glshim.geometry.strokes.lines import OUTLINES, Choice, lines
+from glshim.geometry.edges.edges import edges
+from glshim.geometry.edges.gather import Places
+from glshim.linework.chains import measure
+from glshim.linework.polygon_lines import lines
+from glshim.model.camera import Camera
+from glshim.model.lines import OUTLINES
+from glshim.styling.wishes import Choice, Pattern
 from tests import look
 
 SIZE = 400

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from glshim import cli
+from glshim.commands import cli
 
 LOOK = """
 import __main__, json, os, sys

@@ -8,10 +8,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.strokes import coherence
-from glshim.geometry.strokes.chains import Pattern, measure
-from glshim.geometry.strokes.coherence import Drawn, Past, follow, kept_with, latest, paired
+from glshim.linework import coherence
+from glshim.linework.chains import measure
+from glshim.linework.coherence import Drawn, Past, follow, kept_with, latest, paired
+from glshim.model.camera import Camera
+from glshim.styling.wishes import Pattern
 from tests import look
 
 LENGTH = 40.0

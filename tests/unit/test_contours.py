@@ -9,7 +9,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.camera import Camera
 from glshim.geometry.contour.contours import (
     Segments,
     facing,
@@ -23,6 +22,7 @@ from glshim.geometry.contour.curvature import (
     radial_curvature,
     vertex_normals,
 )
+from glshim.model.camera import Camera
 from tests import look
 from tests.surfaces import TORUS, blob, grid, icosphere, torus, torus_normals
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from glshim.geometry.crease.creases import Creases, creases
-from glshim.geometry.crease.quads import crease_quads, silhouette_quads, silhouettes
 from glshim.geometry.crease.smoothing_groups import following
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.vectors import dot
+from glshim.geometry.references.crease_quads import crease_quads, silhouette_quads, silhouettes
+from glshim.model.vectors import dot
 from tests import look, surfaces
 from tests.odd_meshes import beam, sent_by, zigzag
 

@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from glshim.geometry.crease.creases import INVALID, Creases, creases
-from glshim.geometry.crease.quads import silhouettes
 from glshim.geometry.crease.smoothing_groups import by_traversal, within_adjacency
 from glshim.geometry.recovery.mesh import Mesh, mesh
+from glshim.geometry.references.crease_quads import silhouettes
 from tests import look, surfaces
 from tests.odd_meshes import MESHES, dart, sent_by
 

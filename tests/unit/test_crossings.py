@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.strokes import crossings
-from glshim.geometry.strokes.hand import ENDLESS
-from glshim.geometry.strokes.lines import INTERSECTION, RECORD
-from glshim.render.lines.laying import triangles as fans
+from glshim.linework import crossings
+from glshim.model.lines import ENDLESS, INTERSECTION, RECORD
+from glshim.outputs.gl.lines.laying import triangles as fans
 from tests import look
 
 

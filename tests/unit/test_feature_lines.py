@@ -10,8 +10,7 @@ import weakref
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
-from glshim.geometry.passes.edge_mesh import (
+from glshim.geometry.meshshaders.edge_mesh import (
     BOUNDARY,
     CONTOUR,
     MARKED,
@@ -21,10 +20,12 @@ from glshim.geometry.passes.edge_mesh import (
     features,
 )
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.strokes.lines import BOUNDARY as BOUNDARY_GROUP
-from glshim.geometry.strokes.lines import FIN, GROUP, RECORD, group_of
-from glshim.render.objects import Objects
+from glshim.linework.feature_lines import EdgeLines, feature_lines
+from glshim.linework.objects import Objects
+from glshim.model.camera import Camera
+from glshim.model.lines import BOUNDARY as BOUNDARY_GROUP
+from glshim.model.lines import FIN, GROUP, RECORD, group_of
+from glshim.styling.wishes import Features
 from tests import look
 from tests.score import meshes as scored
 
@@ -285,7 +286,7 @@ def test_records_are_finite_whatever_comes(models):
 def test_records_have_the_own_polygon_at_the_left(models):
     """The outline's back-facing triangle lies left of it in the window, and its normal faces away
     where glFrontFace is as the mesh winds."""
-    from glshim.geometry.strokes.screen import window
+    from glshim.geometry.window import window
 
     for camera in cameras(6):
         records, _ = feature_lines([(EdgeLines(models["torus"]), camera.modelview)], camera,

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from glshim.errors import StyleError
-from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.outward import outward
+from glshim.model.camera import Camera
 from glshim.styling.passes import Body, Pass
 from glshim.styling.protocol import Layer, options_of
 from stylers.fur import Fur

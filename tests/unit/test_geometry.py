@@ -7,11 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.geometry.camera import Camera, cofactors
-from glshim.geometry.strokes.edges import dihedral, edges, edges_of_each, join
-from glshim.geometry.strokes.gather import Places, together
-from glshim.geometry.strokes.lines import (
+from glshim.geometry.edges.edges import dihedral, edges, edges_of_each, join
+from glshim.geometry.edges.gather import Places, together
+from glshim.linework.polygon_lines import lines
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera, cofactors
+from glshim.model.lines import (
     CONTOUR,
     FIN,
     HOLLOW,
@@ -21,9 +22,8 @@ from glshim.geometry.strokes.lines import (
     RIDGE,
     RING,
     VALLEY,
-    Choice,
-    lines,
 )
+from glshim.styling.wishes import Choice
 from tests import look
 
 BOTH = Choice(True, np.radians(120.0))

@@ -9,12 +9,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.camera import Camera
 from glshim.geometry.recovery.mesh import mesh
-from glshim.geometry.strokes.chains import Pattern, measure
-from glshim.geometry.strokes.feature_lines import EdgeLines, Features, feature_lines
-from glshim.geometry.strokes.hand import ENDLESS, begun_anywhere, lifts
-from glshim.geometry.strokes.lines import RECORD, group_of
+from glshim.linework.chains import measure
+from glshim.linework.feature_lines import EdgeLines, feature_lines
+from glshim.linework.hand import begun_anywhere, lifts
+from glshim.model.camera import Camera
+from glshim.model.lines import ENDLESS, RECORD, group_of
+from glshim.styling.wishes import Features, Pattern
 from tests import look
 from tests.unit.test_chains import FLAT, circle, polyline
 

@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from glshim.geometry.passes.edge_mesh import edge_mesh, inner_sides
+from glshim.geometry.meshshaders.edge_mesh import edge_mesh, inner_sides
 from glshim.geometry.recovery.mesh import mesh
 from tests import look
 

@@ -9,7 +9,6 @@ import pytest
 from PIL import Image
 
 from glshim import pipeline
-from glshim.capture import keyboard
 from glshim.control import live, owners
 from glshim.control.keys import (
     DEFAULTS,
@@ -20,8 +19,9 @@ from glshim.control.keys import (
     read_environment,
 )
 from glshim.errors import StyleError
-from glshim.options import parse_style
 from glshim.styling.protocol import Styler
+from glshim.styling.texts import parse_style
+from glshim.toolkits import keyboard
 
 
 @pytest.mark.parametrize("text", ["on", " ON ", "yes", "true", "1"])

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.assembly.batch import PolygonBatch
+from glshim.geometry.edges.edges import join
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh, mesh
-from glshim.geometry.strokes.edges import join
+from glshim.model.batch import PolygonBatch
 from tests.look import batch, bowl, cube, cylinder, polygons_of, sphere, torus
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.model.batch import PolygonBatch
 from tests.look import batch, bowl, cube, torus
 from tests.unit.test_mesh import (
     consistent,

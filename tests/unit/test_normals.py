@@ -12,9 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.assembly import immediate, normals
-from glshim.assembly.batch import PolygonBatch, Wanted
-from glshim.assembly.immediate import (
+from glshim.geometry.edges.edges import join
+from glshim.geometry.recovery.mesh import Mesh, mesh
+from glshim.geometry.recovery.meshes import Meshes
+from glshim.model.batch import PolygonBatch, Wanted
+from glshim.sources.fixed import immediate, normals
+from glshim.sources.fixed.immediate import (
     POLYGON,
     POLYGON_MODES,
     QUADS,
@@ -25,11 +28,8 @@ from glshim.assembly.immediate import (
     scaled,
     transformed,
 )
-from glshim.assembly.layers import ContentCache
-from glshim.assembly.lists import Bare, Call, Change, ListBook, Primitive
-from glshim.geometry.recovery.mesh import Mesh, mesh
-from glshim.geometry.recovery.meshes import Meshes
-from glshim.geometry.strokes.edges import join
+from glshim.sources.fixed.lists import Bare, Call, Change, ListBook, Primitive
+from glshim.sources.layers import ContentCache
 from glshim.spec.attributes import BY_NAME
 from tests import look
 from tests.look import batch

@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
-from glshim.options import (
+from glshim.styling import registry
+from glshim.styling.protocol import Option, Styler, options_of
+from glshim.styling.texts import (
     describe,
     describe_look,
     parse_capture,
@@ -19,8 +21,6 @@ from glshim.options import (
     parse_style,
     read_environment,
 )
-from glshim.styling import registry
-from glshim.styling.protocol import Option, Styler, options_of
 from stylers.looks import looks
 from stylers.raskar import Raskar
 from stylers.strokes import MADE

@@ -5,7 +5,7 @@ import ctypes
 import numpy as np
 import pytest
 
-from glshim.capture import forward
+from glshim.bindings.pyopengl import forward
 from glshim.spec.attributes import BY_NAME
 
 VERTEX = BY_NAME["glVertex3f"]

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.assembly import immediate
-from glshim.assembly.batch import Wanted
-from glshim.assembly.immediate import QUADS, reversed_winding, scaled
-from glshim.capture.state import colour
-from glshim.geometry.passes.edge_mesh import MARKED, edge_mesh, features
+from glshim.geometry.edges.edges import join
+from glshim.geometry.meshshaders.edge_mesh import MARKED, edge_mesh, features
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.meshes import Meshes
-from glshim.geometry.strokes.edges import join
+from glshim.model.batch import Wanted
+from glshim.sources.fixed import immediate
+from glshim.sources.fixed.immediate import QUADS, reversed_winding, scaled
+from glshim.sources.fixed.state import colour
 from glshim.spec.attributes import BY_NAME, decode
 from tests import look
 

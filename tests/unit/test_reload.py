@@ -10,8 +10,8 @@ import pytest
 
 from glshim.control.reload import INTERVAL, Reloader
 from glshim.errors import StyleError
-from glshim.options import parse_style
 from glshim.styling.protocol import Styler
+from glshim.styling.texts import parse_style
 from stylers.raskar import Raskar
 
 
@@ -184,7 +184,7 @@ def test_a_styler_and_the_shaders_beside_it_are_read_anew(tmp_path: Path, said: 
 
 
 def test_a_text_without_a_file_is_not_watched(tmp_path: Path) -> None:
-    from glshim.capture import frames
+    from glshim.toolkits import frames
 
     reloader = Reloader("charcoal", str(tmp_path), lambda styler: None)
     assert reloader.begin() == parse_style("charcoal")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.camera import Camera
+from glshim.model.camera import Camera
 from tests import look
 from tests.score import ink, meshes, sight, truth
 

@@ -7,12 +7,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from glshim.commands.gallery import _file_names, all_styles, split_styles
 from glshim.errors import StyleError
-from glshim.gallery.cli import _file_names, all_styles, split_styles
-from glshim.shots.bitmaps import magnified
-from glshim.shots.mapping import Mapping
-from glshim.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
-from glshim.shots.shooter import enlarged
+from glshim.running.shots.bitmaps import magnified
+from glshim.running.shots.mapping import Mapping
+from glshim.running.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
+from glshim.running.shots.shooter import enlarged
 from glshim.styling import registry
 from glshim.styling.protocol import options_of
 

@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from glshim.errors import StyleError
-from glshim.options import parse_style
-from glshim.stylefiles import StyleFile, features, find
 from glshim.styling import registry
 from glshim.styling.protocol import options_of, parse_colour
+from glshim.styling.stylefiles import StyleFile, features, find
+from glshim.styling.texts import parse_style
 from stylers.edge_mesh import EdgeMesh
 from stylers.raskar import Raskar
 

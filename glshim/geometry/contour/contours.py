@@ -23,7 +23,7 @@ from glshim.geometry.contour.curvature import (
     radial_derivative,
     towards,
 )
-from glshim.geometry.vectors import Doubles, cross, dot, unit
+from glshim.model.vectors import Doubles, cross, dot, unit
 
 THETA = float(np.radians(20.0))
 """Radians between normal and view, below which a suggestive contour is too uncertain."""

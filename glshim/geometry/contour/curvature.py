@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.vectors import Doubles, cross, dot, unit
+from glshim.model.vectors import Doubles, cross, dot, unit
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.int32]

@@ -24,7 +24,7 @@ from glshim.geometry.crease.smoothing_groups import (
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.welding import mixed
-from glshim.geometry.vectors import Doubles, dot, unit
+from glshim.model.vectors import Doubles, dot, unit
 
 Floats = NDArray[np.float32]
 Indices = NDArray[np.int32]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch
 
 Indices = NDArray[np.int32]
 Flags = NDArray[np.bool_]

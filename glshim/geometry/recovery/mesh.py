@@ -13,12 +13,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.assembly.batch import PolygonBatch
 from glshim.geometry.recovery.adjacency import adjacency, meet, repeated
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.fans import fans
 from glshim.geometry.recovery.welding import weld
-from glshim.geometry.vectors import cross, dot, unit
+from glshim.model.batch import PolygonBatch
+from glshim.model.vectors import cross, dot, unit
 
 __all__ = ["Mesh", "Report", "mesh", "weld"]
 

@@ -7,9 +7,9 @@ from hashlib import sha256
 
 import numpy as np
 
-from glshim.assembly.batch import PolygonBatch
-from glshim.caches import AgingCache
 from glshim.geometry.recovery.mesh import Mesh, mesh
+from glshim.model.batch import PolygonBatch
+from glshim.model.caches import AgingCache
 
 _MOST_ALIKE = 8
 """Meshes of one structure that are kept to try: a stream of triangles has no structure but its
@@ -19,7 +19,7 @@ length, and several objects may share it."""
 class Meshes:
     """The meshes of batches, recovered once for each topology (an animation is found again).
 
-    Batches under one matrix are one mesh: join them first (`glshim.geometry.strokes.edges.join`).
+    Batches under one matrix are one mesh: join them first (`glshim.geometry.edges.edges.join`).
     """
 
     def __init__(self, tolerance: float = 0.0, most_bytes: int = 256 << 20) -> None:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.welding import weld
-from glshim.geometry.vectors import Doubles, cross, dot
+from glshim.model.vectors import Doubles, cross, dot
 
 _HOLLOW = 0.01
 """Volume over area to the power of 1.5 from which on a component has an inside (sphere: 0.094)."""

@@ -1,0 +1,1 @@
+"""How a program speaks OpenGL. A binding gives every call by its role."""

@@ -1,0 +1,216 @@
+"""Hooks on the C libraries that draw by themselves: GLU, GLUT, GLE."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Hashable
+from types import ModuleType
+from typing import Any, Protocol
+
+from glshim.bindings.imports import after_import
+from glshim.bindings.pyopengl.raw import hook_function, original_call
+from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.notices import say_fault
+from glshim.spec.driver import gl
+from glshim.spec.shapes import LENGTHS, ROWS, Shape, ShapeRole, shape_role
+
+_QUADRIC_COUNTS = {
+    "gluSphere": (1, 2), "gluCylinder": (3, 4), "gluDisk": (2, 3), "gluPartialDisk": (2, 3),
+}  # fmt: skip
+"""Which arguments after the quadric are integers."""
+_LINE_STYLES = (100010, 100011, 100013)
+"""GLU_POINT, GLU_LINE, GLU_SILHOUETTE: no polygons."""
+_OUTSIDE = 100020
+_AUTO_LOAD_MATRIX = 100200
+
+
+class ShapeWatcher(Protocol):
+    """Who wants to know about shapes drawn in C."""
+
+    def before_shape(self, name: str) -> None:
+        """Before the library draws."""
+
+    def after_shape(self, shape: Shape | None) -> None:
+        """After it drew a shape, or (None) no polygons."""
+
+
+class CLibraries:
+    """The hooks on GLU, GLUT and GLE. One instance: :data:`C_LIBRARIES`."""
+
+    def __init__(self) -> None:
+        self._watcher: ShapeWatcher | None = None
+        self._hooked: list[Any] = []
+        self._settings: dict[int, dict[str, int]] = {}
+        self._surface: list[tuple[Callable[..., Any], tuple[Any, ...]]] = []
+        self._modules: set[str] = set()
+
+    def attach(self, watcher: ShapeWatcher) -> None:
+        """Tell a watcher about every shape, in libraries imported already or later."""
+        self._watcher = watcher
+        for module in sorted({home for home, _, _ in ROWS}):
+            if module not in self._modules:
+                self._modules.add(module)
+                after_import(module, self._hook_module)
+            else:
+                after_import(module, self._hook_module)
+
+    def detach(self) -> None:
+        """Take the hooks away."""
+        self._watcher = None
+        for function in self._hooked:
+            hook_function(function, None)
+        self._hooked.clear()
+        self._surface.clear()
+
+    def _hook_module(self, module: ModuleType) -> None:
+        if self._watcher is None:
+            return
+        for name, function in list(vars(module).items()):
+            role = shape_role(module.__name__, name)
+            if role is None or not hasattr(type(function), "_flags_"):
+                continue
+            call = original_call(function)
+            hook_function(function, self._hook(name, role, call))
+            self._hooked.append(function)
+
+    def _hook(self, name: str, role: ShapeRole, call: Callable[..., Any]) -> Callable[..., Any]:
+        if role is ShapeRole.QUADRIC_SETTING:
+            return lambda *args: self._set_quadric(name, call, args)
+        if role in (ShapeRole.NURBS_OPEN, ShapeRole.NURBS_PART):
+            return lambda *args: self._nurbs_part(role, call, args)
+
+        def hook(*args: Any) -> Any:
+            watcher = self._watcher
+            if watcher is None:
+                return call(*args)
+            RECORDER.spill()
+            watcher.before_shape(name)
+            result = call(*args)
+            try:
+                shape = self._describe(name, role, call, args)
+            except Exception as error:
+                say_fault(f"{name} stays unlined", error)
+                shape = None
+            watcher.after_shape(shape)
+            return result
+
+        return hook
+
+    def _describe(
+        self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
+    ) -> Shape | None:
+        if role is ShapeRole.DRAWING:
+            return None
+        if role is ShapeRole.NURBS_CLOSE:
+            parts = [*self._surface, (call, args)]
+            self._surface = []
+            key = _content(name, [a for _, each in parts for a in each])
+            return Shape(key, _nurbs(parts), camera_bound=True)
+        if role is ShapeRole.QUADRIC:
+            settings = self._settings.get(_address(args[0]), {})
+            if settings.get("gluQuadricDrawStyle") in _LINE_STYLES:
+                return None
+            turn = settings.get("gluQuadricOrientation", _OUTSIDE)
+            unit, scale = _unit(name, args[1:])
+            return Shape((name, turn, unit), lambda: _quadric(name, turn, unit), scale)
+        if role is ShapeRole.EXTRUSION:
+            return Shape(_content(name, args), lambda: call(*args))
+        unit, scale = _unit(name, args)
+        if scale == 1.0:
+            return Shape((name, unit), lambda: call(*args))
+        count = len(LENGTHS[name])
+        return Shape((name, unit), lambda: call(*unit[:count], *args[count:]), scale)
+
+    def _set_quadric(self, name: str, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+        result = call(*args)
+        self._settings.setdefault(_address(args[0]), {})[name] = int(args[1])
+        return result
+
+    def _nurbs_part(self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+        if self._watcher is not None:
+            if role is ShapeRole.NURBS_OPEN:
+                self._surface = []
+            self._surface.append((call, args))
+        return call(*args)
+
+
+def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
+    """The same shape from a quadric of our own: the app may have deleted its."""
+    from OpenGL.platform import PLATFORM
+
+    library = PLATFORM.GLU
+    library.gluNewQuadric.restype = ctypes.c_void_p
+    quadric = ctypes.c_void_p(library.gluNewQuadric())
+    library.gluQuadricOrientation(quadric, ctypes.c_uint(orientation))
+    counts = _QUADRIC_COUNTS[name]
+    arguments = [
+        ctypes.c_int(int(v)) if i in counts else ctypes.c_double(v) for i, v in enumerate(scalars)
+    ]
+    getattr(library, name)(quadric, *arguments)
+    library.gluDeleteQuadric(quadric)
+
+
+def _unit(name: str, args: tuple[Any, ...]) -> tuple[tuple[float, ...], float]:
+    """The arguments of the same shape with a greatest length of 1, and how much larger it is:
+    a sphere that pulses is one shape."""
+    scalars = tuple(float(getattr(a, "value", a)) for a in args)
+    lengths = LENGTHS.get(name, ())
+    scale = max((abs(scalars[i]) for i in lengths), default=1.0)
+    if not 0.0 < scale < float("inf"):
+        return scalars, 1.0
+    return tuple(v / scale if i in lengths else v for i, v in enumerate(scalars)), scale
+
+
+def _content(name: str, args: Any) -> Hashable | None:
+    """A key from everything the arguments hold; None when one of them cannot be looked into."""
+    parts: list[Hashable] = [name]
+    for arg in args:
+        if isinstance(arg, (int, float)):
+            parts.append(arg)
+        elif arg is None:
+            parts.append(None)
+        elif isinstance(arg, ctypes._Pointer):
+            parts.append(_address(arg))
+        else:
+            try:
+                parts.append(bytes(memoryview(arg)))
+            except TypeError:
+                return None
+    return tuple(parts)
+
+
+def _address(pointer: Any) -> int:
+    return ctypes.cast(pointer, ctypes.c_void_p).value or 0
+
+
+def _nurbs(parts: list[tuple[Callable[..., Any], tuple[Any, ...]]]) -> Callable[[], None]:
+    """Draws a surface again, tessellated for the camera that is current now."""
+    from OpenGL.platform import PLATFORM
+
+    modelview, projection = (ctypes.c_float * 16)(), (ctypes.c_float * 16)()
+    viewport = (ctypes.c_int * 4)()
+    gl.glGetFloatv(0x0BA6, modelview)
+    gl.glGetFloatv(0x0BA7, projection)
+    gl.glGetIntegerv(0x0BA2, viewport)
+    renderer = ctypes.c_void_p(_address(parts[0][1][0]))
+    set_property = PLATFORM.GLU.gluNurbsProperty
+    load = PLATFORM.GLU.gluLoadSamplingMatrices
+    get_property = PLATFORM.GLU.gluGetNurbsProperty
+
+    def draw() -> None:
+        automatic = ctypes.c_float()
+        get_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.byref(automatic))
+        if automatic.value:
+            set_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.c_float(0.0))
+            load(renderer, modelview, projection, viewport)
+        try:
+            for call, args in parts:
+                call(*args)
+        finally:
+            if automatic.value:
+                set_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.c_float(1.0))
+
+    return draw
+
+
+C_LIBRARIES = CLibraries()

@@ -1,0 +1,291 @@
+"""Hands a recorded primitive to the real fixed-function GL.
+
+Large primitives go as one glDrawArrays from client arrays, which is the same picture and leaves the
+same current attributes; everything else is replayed call by call through the bare driver, exactly.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from struct import Struct
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.spec.attributes import (
+    BY_NAME,
+    COLOR,
+    KIND,
+    NORMAL,
+    RECORD_BYTES,
+    REPLAY,
+    SIZE,
+    TAG_OFFSET,
+    TEXCOORD,
+    VERTEX,
+    Attribute,
+    decode,
+)
+from glshim.spec.driver import current_context, gl, quick
+
+SMALL = 128 * RECORD_BYTES
+"""Below this many bytes a replay is quicker than setting up arrays (measured)."""
+
+_GL_FLOAT = 0x1406
+_ARRAYS = {VERTEX: 0x8074, NORMAL: 0x8075, COLOR: 0x8076, TEXCOORD: 0x8078}
+"""Client states by kind."""
+_LINE_STRIP = 3
+_HEADS = {
+    0: (1, 1), 1: (2, 2), _LINE_STRIP: (2, 1), 4: (3, 3), 5: (4, 2), 7: (4, 4), 8: (4, 2),
+}  # fmt: skip
+"""By mode: vertices of the part that is said call by call, and the first vertex of the rest. Fans,
+polygons and line loops cannot be parted."""
+_ENABLED = 0x8622
+_EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
+_CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
+_LONGEST_PERIOD = 4
+_FLOAT = Struct("=f")
+_ONE = _FLOAT.pack(1.0)
+_Array = tuple[int, int, int]
+"""Kind, components and address."""
+
+ELEMENTS: dict[str, Any] = {
+    "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
+    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte,
+}  # fmt: skip
+"""C types by the type letters of attributes."""
+
+_calls: list[Callable[[bytes], Any]] = []
+
+
+def _bare_calls() -> list[Callable[[bytes], Any]]:
+    if not _calls:
+        for name, size in zip(REPLAY, SIZE, strict=True):
+            bare = quick(name)
+            if name == "glColor4fv" and size == 3:
+                bare = _opaque(bare)
+            _calls.append(bare if name.endswith("v") else _switch(bare))
+    return _calls
+
+
+def _opaque(bare: Callable[[bytes], Any]) -> Callable[[bytes], Any]:
+    return lambda record: bare(record[:12] + _ONE)
+
+
+def _switch(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
+    return lambda record: bare(int(_FLOAT.unpack_from(record)[0]))
+
+
+def replay(stream: bytes) -> None:
+    """Say the recorded calls to the driver one by one. Exact in every case."""
+    calls = _calls or _bare_calls()
+    for at in range(0, len(stream), RECORD_BYTES):
+        calls[stream[at + TAG_OFFSET]](stream[at : at + TAG_OFFSET])
+
+
+def able(mode: int) -> bool:
+    """Whether a large primitive of this mode may be drawn from arrays in the state that the driver
+    is in. Ask outside a primitive: these queries disturb nothing, not even Mesa's batching."""
+    context = current_context()
+    if mode not in _HEADS or not context:
+        return False
+    if context not in _obstacles:
+        _obstacles[context] = _obstacles_of_version()
+    obstacles = _obstacles[context]
+    return bool(
+        obstacles
+        and not any(map(_integer, obstacles))
+        and _integer(0x0BB1) < _integer(0x0D3B)  # room on the client attribute stack
+        and not (mode == _LINE_STRIP and gl.glIsEnabled(0x0B24))  # the stipple runs along it
+    )
+
+
+_obstacles: dict[int, tuple[int, ...]] = {}
+"""By context the integers that must be zero; empty when arrays are out of the question."""
+
+
+def _obstacles_of_version() -> tuple[int, ...]:
+    program, array_object = 0x8B8D, 0x85B5  # a program of the app's may look at gl_VertexID
+    text = gl.glGetString(0x1F02)
+    number = ctypes.string_at(text).split(b".")[0] if text else b""
+    major = int(number) if number.isdigit() else 0
+    if major >= 3:
+        return program, array_object
+    names = gl.glGetString(0x1F03) if major == 2 else None
+    if not names:
+        return ()
+    known = b"_vertex_array_object" in ctypes.string_at(names)
+    return (program, array_object) if known else (program,)
+
+
+_value = (ctypes.c_int * 16)()
+
+
+def _integer(name: int) -> int:
+    _value[0] = 0
+    gl.glGetIntegerv(name, _value)
+    return _value[0]
+
+
+def list_open() -> bool:
+    """Whether the driver is compiling a display list. Ask outside a primitive."""
+    return bool(current_context() and _integer(0x0B33))
+
+
+def draw(mode: int, stream: bytes) -> bool:
+    """Say a recorded primitive whose glBegin the driver has: the first polygon call by call, then
+    glEnd, and the rest in one glDrawArrays. The app's array state is left as it was.
+
+    False, and nothing is said, for a stream that only a replay renders exactly.
+
+    Mesa 22.3 sets the terms. An empty glBegin/glEnd pair makes it lose the next primitive: hence
+    the first polygon. An attribute that comes in different sizes, or for the first time after some
+    vertices, makes it cut the primitive where its buffers happen to stand: hence replays.
+    """
+    head, start = _HEADS[mode]
+    tags, values = decode(stream)
+    period = _period(tags)
+    if period:
+        return _draw_regular(mode, stream, tags[:period], head, start)
+    used = np.flatnonzero(np.bincount(tags, minlength=len(KIND)))
+    kinds = KIND[tags]
+    vertex_rows = np.flatnonzero(kinds == VERTEX)
+    if _EDGE_FLAG_TAG in used or len(set(KIND[used].tolist())) < len(used):
+        return False
+    if len(vertex_rows) <= head:
+        return False
+    arrays: list[_Array] = []
+    last: list[bytes] = []
+    kept: list[NDArray[np.float32]] = []  # alive until they are drawn
+    for tag in used:
+        kind, size = int(KIND[tag]), int(SIZE[tag])
+        rows = np.flatnonzero(tags == tag)
+        if rows[0] > vertex_rows[0]:
+            return False
+        if kind != VERTEX:
+            if rows[-1] < vertex_rows[0]:
+                continue  # set once, before all vertices: the head says it
+            at = int(rows[-1]) * RECORD_BYTES
+            last.append(stream[at : at + RECORD_BYTES])
+        which = np.cumsum(tags == tag)[vertex_rows[start:]] - 1
+        array = np.ascontiguousarray(values[rows[which], :size])
+        kept.append(array)
+        arrays.append((kind, size, array.ctypes.data))
+    replay(stream[: (int(vertex_rows[head - 1]) + 1) * RECORD_BYTES])
+    gl.glEnd()
+    _draw_arrays(mode, len(vertex_rows) - start, arrays, 0)
+    for record in last:
+        replay(record)
+    return True
+
+
+def _period(tags: NDArray[np.int32]) -> int:
+    """Records a vertex when every vertex comes with the same calls before it, else 0."""
+    head = KIND[tags[:_LONGEST_PERIOD]]
+    vertices = np.flatnonzero(head == VERTEX)
+    period = int(vertices[0]) + 1 if len(vertices) else 0
+    if not period or len(tags) % period or len(set(head[:period].tolist())) < period:
+        return 0
+    regular = bool((tags.reshape(-1, period) == tags[:period]).all())
+    return period if regular else 0
+
+
+def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int) -> bool:
+    """The stream is an interleaved array as it stands: nothing is copied."""
+    stride = len(tags) * RECORD_BYTES
+    count = len(stream) // stride
+    if _EDGE_FLAG_TAG in tags or count <= head:
+        return False
+    base = int(np.frombuffer(stream, np.uint8).ctypes.data) + start * stride
+    arrays = [
+        (int(KIND[tag]), int(SIZE[tag]), base + i * RECORD_BYTES) for i, tag in enumerate(tags)
+    ]
+    replay(stream[: head * stride])
+    gl.glEnd()
+    _draw_arrays(mode, count - start, arrays, stride)
+    replay(stream[-stride:-RECORD_BYTES])
+    return True
+
+
+def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> None:
+    """One glDrawArrays from these arrays alone."""
+    gl.glPushClientAttrib(0x2)
+    for state in _CLIENT_STATES:
+        gl.glDisableClientState(state)
+    with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
+        gl.glBindBuffer(0x8892, 0)
+    for unit in range(_texture_units(), -1, -1):
+        gl.glClientActiveTexture(0x84C0 + unit)
+        gl.glDisableClientState(0x8078)
+    generic = _generic_arrays()
+    for index in generic:
+        gl.glDisableVertexAttribArray(index)
+    for kind, size, address in arrays:
+        gl.glEnableClientState(_ARRAYS[kind])
+        if kind == VERTEX:
+            gl.glVertexPointer(size, _GL_FLOAT, stride, address)
+        elif kind == NORMAL:
+            gl.glNormalPointer(_GL_FLOAT, stride, address)
+        elif kind == COLOR:
+            gl.glColorPointer(size, _GL_FLOAT, stride, address)
+        else:
+            gl.glTexCoordPointer(size, _GL_FLOAT, stride, address)
+    gl.glDrawArrays(mode, 0, count)
+    for index in generic:
+        gl.glEnableVertexAttribArray(index)
+    gl.glPopClientAttrib()
+
+
+def _generic_arrays() -> list[int]:
+    """Generic attribute arrays that the app has left enabled: a draw would read them."""
+    try:
+        get = gl.glGetVertexAttribiv
+    except AttributeError:
+        return []
+    found = []
+    for index in range(min(_integer(0x8869), 32)):
+        get(index, _ENABLED, _value)
+        if _value[0]:
+            found.append(index)
+    return found
+
+
+def _texture_units() -> int:
+    """Highest texture unit whose client array may be enabled."""
+    return max(0, min(_integer(0x84E2), 8) - 1)
+
+
+def check(real: Callable[..., Any]) -> Any:
+    """PyOpenGL's own error check of a call that was made past it."""
+    function = getattr(real, "__self__", None)
+    checker = getattr(function, "errcheck", None)
+    return checker(None, function, ()) if checker is not None else None
+
+
+def error_checker() -> Any:
+    """PyOpenGL's error checker for GL, None when the app has switched error checking off."""
+    from OpenGL.raw.GL import _errors
+
+    return _errors._error_checker
+
+
+def read(row: Attribute, value: Any = None, *more: Any) -> Sequence[Any]:
+    """The components behind a pointer-like argument of a raw vector call, as Python numbers.
+
+    Raises TypeError where PyOpenGL's own conversion should decide.
+    """
+    element, size = ELEMENTS[row.type], row.size
+    if not more:
+        if isinstance(value, np.ndarray):
+            if value.dtype == element and value.flags.c_contiguous and value.size >= size:
+                flat = np.asarray(value).reshape(-1)  # a matrix stays of two dimensions
+                return flat[:size].tolist()  # type: ignore[no-any-return]
+        elif isinstance(value, ctypes.Array):
+            if value._type_ is element and len(value) >= size:
+                return value[:size]
+        elif isinstance(value, ctypes._Pointer) and value._type_ is element and value:
+            return value[:size]
+    raise TypeError("not plainly numbers of the right type")

@@ -1,0 +1,241 @@
+"""Hooks on PyOpenGL's raw layer, where from-imports, aliases and late installation all end up.
+
+Every raw GL function is an instance of its own subclass of ``_NullFunctionPointer`` whose ``load``
+puts the ctypes call on the class. We follow ``load`` and put a hook in its place, so the object
+that apps hold stays the same. Wrappers (``glVertex3fv``) and lazy wrappers (``glBegin``) are
+classes of their own too. GLU, GLUT and GLE functions are plain ctypes objects: their ``__class__``
+is swapped for a subclass that calls the hook.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from glshim.bindings.imports import after_import
+
+Call = Callable[..., Any]
+Maker = Callable[[Call], Call]
+"""Given the original call, makes the hook. Wrapper makers get and give calls with ``self``."""
+
+
+class _Slot:
+    """One class of PyOpenGL's that carries a call for a GL name."""
+
+    __slots__ = ("cls", "hooked", "original", "static")
+
+    def __init__(self, cls: type, original: Call, *, static: bool) -> None:
+        self.cls = cls
+        self.original = original
+        self.static = static
+        self.hooked: dict[int, tuple[Maker, Call]] = {}
+
+    def _set(self, call: Any) -> None:
+        type.__setattr__(self.cls, "__call__", call)
+
+    def put(self, maker: Maker | None) -> None:
+        """Carry the maker's hook, or the original again."""
+        if maker is None:
+            if self.static:
+                self._set(staticmethod(self.original))
+            elif "__call__" in vars(self.cls):
+                del self.cls.__call__
+            return
+        if id(maker) not in self.hooked:
+            self.hooked[id(maker)] = (maker, maker(self.original))
+        hook = self.hooked[id(maker)][1]
+        self._set(staticmethod(hook) if self.static else hook)
+
+
+class RawLayer:
+    """Which hook each GL name carries now. One instance: :data:`RAW`."""
+
+    def __init__(self) -> None:
+        self._raw: dict[str, list[_Slot]] = {}
+        self._wrappers: dict[str, list[_Slot]] = {}
+        self._raw_makers: dict[str, Maker] = {}
+        self._wrapper_makers: dict[str, Maker] = {}
+        self.matchers: list[Callable[[str], Maker | None]] = []
+        self._undo: list[Callable[[], None]] = []
+        self.ground: Callable[[str], Maker | None] = lambda name: None
+        """What changes calls below every hook, for names loaded from now on: a shot's."""
+
+    @property
+    def installed(self) -> bool:
+        """Whether PyOpenGL is being followed."""
+        return bool(self._undo)
+
+    def install(self) -> None:
+        """Follow PyOpenGL: what it has loaded already and what it will load."""
+        if self._undo:
+            return
+        from OpenGL.platform import baseplatform
+
+        pointer = baseplatform._NullFunctionPointer
+        load = pointer.load
+
+        def follow(this: Any) -> Any:
+            loaded = load(this)
+            if loaded is not None:
+                self._adopt(type(this))
+            return loaded
+
+        pointer.load = follow
+        self._undo.append(lambda: setattr(pointer, "load", load))
+        for cls in _subclasses(pointer):
+            if "__call__" in vars(cls) and cls is not baseplatform._DeprecatedFunctionPointer:
+                self._adopt(cls)
+        # Not imported here: at start-up PyOpenGL is in the middle of its own imports.
+        after_import("OpenGL.wrapper", lambda module: self._follow_wrappers(module.Wrapper))
+        after_import(
+            "OpenGL.lazywrapper", lambda module: self._follow_wrappers(module._LazyWrapper)
+        )
+
+    def _follow_wrappers(self, base: Any) -> None:
+        if not self._undo:  # uninstalled before the import came
+            return
+
+        def follow(cls: Any, /, **named: Any) -> None:
+            super(base, cls).__init_subclass__(**named)
+            self._adopt_wrapper(cls, base.__call__)
+
+        base.__init_subclass__ = classmethod(follow)
+        self._undo.append(lambda: delattr(base, "__init_subclass__"))
+        for cls in _subclasses(base):
+            self._adopt_wrapper(cls, base.__call__)
+
+    def _adopt(self, cls: type) -> None:
+        call = vars(cls)["__call__"]
+        original = call.__func__ if isinstance(call, staticmethod) else call
+        below = self.ground(cls.__name__)
+        if below is not None:
+            original = below(original)
+        slot = _Slot(cls, original, static=True)
+        if below is not None:
+            slot.put(None)
+        self._raw.setdefault(cls.__name__, []).append(slot)
+        maker = self._raw_maker(cls.__name__)
+        if maker is not None:
+            slot.put(maker)
+
+    def _adopt_wrapper(self, cls: type, original: Call) -> None:
+        slot = _Slot(cls, original, static=False)
+        self._wrappers.setdefault(cls.__name__, []).append(slot)
+        maker = self._wrapper_makers.get(cls.__name__)
+        if maker is not None:
+            slot.put(maker)
+
+    def _raw_maker(self, name: str) -> Maker | None:
+        maker = self._raw_makers.get(name)
+        if maker is None:
+            for matcher in self.matchers:
+                maker = matcher(name)
+                if maker is not None:
+                    self._raw_makers[name] = maker
+                    break
+        return maker
+
+    def original(self, name: str) -> Call | None:
+        """PyOpenGL's own raw call of that name, past any hook; None when it has not loaded it."""
+        slots = self._raw.get(name)
+        return slots[0].original if slots else None
+
+    def hook(self, name: str, maker: Maker | None) -> None:
+        """Hook every raw object of that name, now and when it loads; None unhooks."""
+        if maker is None:
+            self._raw_makers.pop(name, None)
+        else:
+            self._raw_makers[name] = maker
+        for slot in self._raw.get(name, ()):
+            slot.put(maker)
+
+    def hook_wrapper(self, name: str, maker: Maker | None) -> None:
+        """Hook PyOpenGL's Python wrapper of that name (array conversion, glBegin's bookkeeping)."""
+        if maker is None:
+            self._wrapper_makers.pop(name, None)
+        else:
+            self._wrapper_makers[name] = maker
+        for slot in self._wrappers.get(name, ()):
+            slot.put(maker)
+
+    def hook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
+        """Hook every name for which the matcher gives a maker, now and when it loads."""
+        self.matchers.append(matcher)
+        for name in list(self._raw):
+            if name not in self._raw_makers:
+                maker = matcher(name)
+                if maker is not None:
+                    self.hook(name, maker)
+
+    def unhook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
+        """Undo :meth:`hook_matching`."""
+        self.matchers.remove(matcher)
+        for name in list(self._raw_makers):
+            if matcher(name) is self._raw_makers[name]:
+                self.hook(name, None)
+
+    def uninstall(self) -> None:
+        """Leave PyOpenGL as it was found."""
+        self._raw_makers.clear()
+        self._wrapper_makers.clear()
+        self.matchers.clear()
+        for slots in (*self._raw.values(), *self._wrappers.values()):
+            for slot in slots:
+                if slot.hooked:
+                    slot.put(None)
+        self._raw.clear()
+        self._wrappers.clear()
+        while self._undo:
+            self._undo.pop()()
+
+
+def _subclasses(base: type) -> Iterator[type]:
+    cls: type
+    for cls in base.__subclasses__():
+        yield cls
+        yield from _subclasses(cls)
+
+
+RAW = RawLayer()
+
+
+_TYPES = ("_flags_", "_restype_", "_argtypes_")
+
+
+def hook_function(function: Any, hook: Call | None) -> None:
+    """Make a ctypes function object call the hook, in place, so that early from-imports follow.
+
+    ``hook=None`` gives the object its own class back. The original stays callable through
+    :func:`original_call`.
+    """
+    cls: Any = type(function)
+    if getattr(cls, "_glshim_original", None) is not None:
+        function.__class__ = cls._glshim_original
+        cls = type(function)
+    if hook is None:
+        return
+    _replace_call(function, hook, _glshim_original=cls)
+
+
+def ground_function(function: Any, maker: Maker) -> None:
+    """Make a ctypes function object call the maker's hook below any `hook_function`, for good."""
+    cls: Any = type(function)
+    hook = maker(lambda *args: cls.__call__(function, *args))
+    _replace_call(function, hook)
+
+
+def _replace_call(function: Any, hook: Call, **more: Any) -> None:
+    cls: Any = type(function)
+    body = {
+        # A library's own functions have no types on their class, but on themselves.
+        **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
+        **more,
+        "__call__": lambda _self, *args: hook(*args),
+    }
+    function.__class__ = type(cls.__name__, (cls,), body)
+
+
+def original_call(function: Any) -> Call:
+    """A call of the ctypes function object that goes past its hook."""
+    cls = getattr(type(function), "_glshim_original", type(function))
+    return lambda *args: cls.__call__(function, *args)

@@ -1,0 +1,225 @@
+"""Hooks by role: what draws, clears, reads back or opens a list is told to a watcher.
+
+With style ``none`` only the recorder's own needs are hooked; a styler that wants polygons adds the
+rest. The watcher's faults never reach the app.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from glshim.bindings.pyopengl import forward
+from glshim.bindings.pyopengl.raw import RAW, Call, Maker
+from glshim.bindings.pyopengl.recorder import RECORDER, PrimitiveSink
+from glshim.spec.roles import Role, role_of
+
+_SPILLING = frozenset((Role.IN_PRIMITIVE, Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL))
+"""Roles that what is recorded must not fall behind."""
+
+_WATCHED = frozenset(
+    (
+        Role.ARRAY_DRAW, Role.OPAQUE_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.PIXELS,
+        Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL, Role.LIST_FORGET, Role.CLEAR,
+        Role.READBACK, Role.TARGET, Role.BUFFER_WRITE, Role.CLIP_PLANE,
+    )
+)  # fmt: skip
+_IN_LISTS = frozenset((Role.MATRIX, Role.SWITCH))
+"""Roles that are followed only while a display list is open."""
+
+
+class Watcher(PrimitiveSink, Protocol):
+    """Who wants to know about draws."""
+
+    def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """Before PyOpenGL's raw call, outside primitives."""
+
+    def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """After it, also when PyOpenGL found a GL error, which may be an older one."""
+
+    def refused(self) -> None:
+        """Instead of :meth:`after`: PyOpenGL refused the arguments, nothing was called."""
+
+    def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
+        """After an IN_PRIMITIVE or list call inside a primitive, and the former anywhere in an open
+        list; ``call`` would say it again."""
+
+    def flush(self, call: Callable[[], Any]) -> Any:
+        """In place of glFlush or glFinish, which ``call`` makes."""
+
+
+class Watch:
+    """The hooks by role. One instance: :data:`WATCH`."""
+
+    def __init__(self) -> None:
+        self._watcher: Watcher | None = None
+        self._makers: dict[str, Maker] = {}
+
+    def install(self) -> None:
+        """The hooks that the recorder needs for itself."""
+        RAW.hook_matching(self._own)
+
+    def uninstall(self) -> None:
+        """Undo :meth:`install` and :meth:`attach`."""
+        self.detach()
+        RAW.unhook_matching(self._own)
+
+    def attach(self, watcher: Watcher) -> None:
+        """Tell a watcher about every draw from now on."""
+        RAW.unhook_matching(self._own)  # some of its names are the watcher's now
+        self._watcher = RECORDER.sink = watcher
+        RAW.hook_matching(self._watching)
+        RAW.hook_matching(self._own)
+
+    def detach(self) -> None:
+        """Tell nobody any more."""
+        if self._watcher is not None:
+            self._follow_lists(False)
+            RAW.unhook_matching(self._watching)
+            RAW.unhook_matching(self._own)
+            self._watcher = RECORDER.sink = None
+            RAW.hook_matching(self._own)
+
+    # -- makers, one per name, made when the name is first called -------------------------------
+
+    def _own(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role not in _SPILLING or (self._watcher is not None and role in _WATCHED):
+            return None
+        return self._maker("own:" + name, lambda: self._spilling(name, role))
+
+    def _watching(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role is Role.FLUSH:
+            return self._maker(name, lambda: self._flushing)
+        if role in _WATCHED:
+            return self._maker(name, lambda: self._telling(name, role))
+        return None
+
+    def _in_lists(self, name: str) -> Maker | None:
+        role = role_of(name)
+        if role not in _IN_LISTS:
+            return None
+        return self._maker(name, lambda: self._telling(name, role))
+
+    def _maker(self, key: str, make: Callable[[], Maker]) -> Maker:
+        if key not in self._makers:
+            self._makers[key] = make()
+        return self._makers[key]
+
+    def _spilling(self, name: str, role: Role) -> Maker:
+        opens, closes = role is Role.LIST_OPEN, role is Role.LIST_CLOSE
+        attribute = role is Role.IN_PRIMITIVE
+
+        def maker(real: Call) -> Call:
+            inside = RECORDER.inside
+
+            def hook(*args: Any) -> Any:
+                if closes and RECORDER.list_open:
+                    RECORDER.close_list()
+                # In a list an attribute may belong to the primitive that calls it, or the next.
+                if inside() or (attribute and RECORDER.list_open):
+                    return self._inside(name, args, real)
+                try:
+                    return real(*args)
+                finally:
+                    if opens and not RECORDER.list_open and forward.list_open():
+                        RECORDER.open_list(False)
+
+            return hook
+
+        return maker
+
+    def _inside(self, name: str, args: tuple[Any, ...], real: Call) -> Any:
+        """A call inside a primitive: what was recorded goes first, the rest straight through."""
+        from OpenGL.error import GLError
+
+        RECORDER.spill()
+        try:
+            result = real(*args)
+        except GLError:
+            if self._watcher is not None:
+                self._watcher.inside(name, args, lambda: real(*args))
+            raise
+        if self._watcher is not None:
+            self._watcher.inside(name, args, lambda: real(*args))
+        return result
+
+    def _telling(self, name: str, role: Role) -> Maker:
+        if role is Role.LIST_OPEN or role is Role.LIST_CLOSE:
+            return self._bracket(name, role)
+
+        def maker(real: Call) -> Call:
+            from OpenGL.error import GLError  # not before the app has set its flags
+
+            inside = RECORDER.inside
+
+            def hook(*args: Any) -> Any:
+                watcher = self._watcher
+                if watcher is None:
+                    return real(*args)
+                if inside():
+                    return self._inside(name, args, real)
+                watcher.before(role, name, args)
+                try:
+                    result = real(*args)
+                except GLError:
+                    watcher.after(role, name, args)
+                    raise
+                except BaseException:
+                    watcher.refused()
+                    raise
+                watcher.after(role, name, args)
+                return result
+
+            return hook
+
+        return maker
+
+    def _bracket(self, name: str, role: Role) -> Maker:
+        def maker(real: Call) -> Call:
+            def hook(*args: Any) -> Any:
+                watcher = self._watcher
+                if role is Role.LIST_CLOSE:
+                    if RECORDER.list_open:
+                        RECORDER.close_list()
+                        self._follow_lists(False)
+                        if watcher is not None:
+                            watcher.before(role, name, args)
+                    else:
+                        RECORDER.spill()
+                    return real(*args)
+                closed = not RECORDER.list_open and not RECORDER.inside()
+                RECORDER.spill()
+                if closed and watcher is not None:
+                    watcher.before(role, name, args)
+                try:
+                    return real(*args)
+                finally:
+                    if closed and forward.list_open():
+                        if watcher is not None:
+                            watcher.after(role, name, args)
+                        self._follow_lists(True)
+                        RECORDER.open_list(watcher is not None)
+
+            return hook
+
+        return maker
+
+    def _follow_lists(self, follow: bool) -> None:
+        if follow and self._in_lists not in RAW.matchers:
+            RAW.hook_matching(self._in_lists)
+        elif not follow and self._in_lists in RAW.matchers:
+            RAW.unhook_matching(self._in_lists)
+
+    def _flushing(self, real: Call) -> Call:
+        def hook(*args: Any) -> Any:
+            watcher = self._watcher
+            if watcher is None or args or RECORDER.inside() or RECORDER.list_open:
+                return real(*args)
+            return watcher.flush(real)
+
+        return hook
+
+
+WATCH = Watch()

@@ -1,1 +1,0 @@
-"""Hooks on PyOpenGL and on the toolkits' frame ends; the recorded stream."""

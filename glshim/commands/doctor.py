@@ -1,0 +1,219 @@
+"""``glshim doctor``: what is here, what glshim will do with it, and what will not work."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Mapping
+from importlib.metadata import PackageNotFoundError, version
+from importlib.util import find_spec
+from pathlib import Path
+from statistics import median
+
+from glshim import __version__
+from glshim.commands.probe import Probe
+from glshim.control import keys
+from glshim.errors import EnvironmentFault, StyleError
+from glshim.running import launch
+from glshim.running.headless import virtual_screen
+from glshim.spec.context import MODERN, UNAVAILABLE
+from glshim.styling import registry, texts
+from glshim.toolkits.toolkits import TOOLKITS
+
+_PROBE_SECONDS = 60
+_VARIABLES = (texts.STYLE, texts.FRAMES, texts.CAPTURE, keys.KEYS)
+
+_PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pillow", "trimesh")
+_LIBRARIES = {
+    "GL": "libgl1",
+    "GLU": "libglu1-mesa",
+    "GLUT": "libglut-dev, since PyOpenGL does not find libglut.so.3.12",
+    "GLE": "libgle3",
+}
+_DISTRIBUTIONS = {"OpenGL": "PyOpenGL", "sdl2": "PySDL2", "wx": "wxPython"}
+"""By package, where the names differ."""
+
+
+def print_report(*, headless: bool = False) -> int:
+    """Print everything; the status is 1 when something of it will not work here."""
+    troubles: list[str] = []
+    _heading("glshim")
+    _row("version", f"{__version__} on Python {platform.python_version()}, {platform.platform()}")
+    found = launch.startup_file()
+    _row("start-up file", found or "missing")
+    if found is None:
+        troubles.append(
+            "GLSHIM_STYLE has no effect: install glshim into this Python (pip install .)"
+        )
+    _row("styles", ", ".join(registry.names()) or "none installed")
+    _environment(troubles)
+    _heading("packages and libraries")
+    for name in _PACKAGES:
+        _row(name, _version_of(name) or "not installed")
+    for name, package in _LIBRARIES.items():
+        library = _library(name)
+        _row(name, library or f"not found (Debian: {package})")
+        if library is None:
+            troubles.append(f"programs that need {name}: PyOpenGL finds no such library")
+    _row("Xvfb", shutil.which("Xvfb") or "not found: no --headless (Debian: xvfb)")
+    _context(headless, troubles)
+    _toolkits()
+    _heading("what will not work")
+    for trouble in troubles:
+        print(f"  {trouble}")
+    print(
+        "  programs that draw with shaders of their own, or in a core profile: they pass untouched"
+    )
+    print("  Python run with -S, which reads no start-up files")
+    return 1 if troubles else 0
+
+
+def _library(name: str) -> str | None:
+    """The library that PyOpenGL itself loads under that name."""
+    try:
+        from OpenGL.platform import PLATFORM
+
+        found = getattr(PLATFORM, name)
+    except Exception:  # PyOpenGL raises different errors from one platform to the next
+        return None
+    return getattr(found, "_name", None)
+
+
+def _environment(troubles: list[str]) -> None:
+    settings, complaints = texts.read_environment(os.environ)
+    for name in (*_VARIABLES, "DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM"):
+        if name in os.environ:
+            _row(name, os.environ[name])
+    troubles.extend((*complaints, *keys.read_environment(os.environ)[1]))
+    if settings.style is not None:
+        try:
+            texts.parse_style(settings.style)
+        except StyleError as error:
+            troubles.append(f"{texts.STYLE}: {error}")
+
+
+def _context(headless: bool, troubles: list[str]) -> None:
+    _heading("OpenGL" + (" on a virtual screen" if headless else ""))
+    try:
+        if headless:
+            with virtual_screen() as environ:
+                found = ask(environ)
+        else:
+            found = ask(os.environ)
+    except EnvironmentFault as error:
+        _row("context", error)
+        troubles.append(f"no window opens here: {error}" + ("" if headless else "; try --headless"))
+        return
+    _row("vendor", found.vendor)
+    _row("renderer", found.renderer)
+    _row("version", f"{found.version}, GLSL {found.glsl}")
+    _row("profile", found.profile)
+    _row("window", f"{found.depth_bits} depth bits, {found.samples} samples")
+    if found.shortcoming:
+        _row("extra lines", f"no: {found.shortcoming}")
+        troubles.append(f"no extra lines: {found.shortcoming}; programs run plain")
+        return
+    modern = found.number >= MODERN
+    who = "the GPU (OpenGL 3.3)" if modern else "the CPU (OpenGL 2.1)"
+    _row("extra lines", f"yes, expanded by {who}")
+    if not modern:
+        _row("unavailable", UNAVAILABLE)
+        troubles.append(f"{UNAVAILABLE}, this is {found.version}; the other lines are drawn")
+
+
+def ask(environ: Mapping[str, str]) -> Probe:
+    """The context that a window gets in this environment. Raises `EnvironmentFault`."""
+    plain = {name: text for name, text in environ.items() if name not in _VARIABLES}
+    command = [sys.executable, "-m", "glshim.commands.probe"]
+    try:
+        done = subprocess.run(
+            command, env=plain, capture_output=True, text=True, timeout=_PROBE_SECONDS, check=False
+        )
+    except subprocess.TimeoutExpired as error:
+        raise EnvironmentFault(f"no answer from the display in {_PROBE_SECONDS} s") from error
+    if done.returncode != 0:
+        lines = done.stderr.strip().splitlines()
+        raise EnvironmentFault(lines[-1] if lines else f"the probe died ({done.returncode})")
+    return Probe(**json.loads(done.stdout))
+
+
+def _toolkits() -> None:
+    _heading("toolkits")
+    packages: dict[str, list[str]] = {}
+    for toolkit in TOOLKITS:
+        package = toolkit.module.partition(".")[0]
+        rows = packages.setdefault(package, [])
+        how = f"{toolkit.name}: {toolkit.how}" if package == "OpenGL" else toolkit.how
+        if how not in rows:
+            rows.append(how)
+    for package, ends in packages.items():
+        name = _DISTRIBUTIONS.get(package, package)
+        if find_spec(package):
+            _row(name, f"{_version_of(name) or 'here'}; a frame ends at {ends[0]}")
+            for end in ends[1:]:
+                _row("", f"or at {end}")
+    missing = [_DISTRIBUTIONS.get(p, p) for p in packages if not find_spec(p)]
+    if missing:
+        _row("not installed", ", ".join(missing))
+
+
+def print_startup_cost() -> int:
+    """Print what the start-up file costs every start of Python that sets no GLSHIM_* variable."""
+    path = launch.startup_file()
+    if path is None:
+        raise EnvironmentFault(f"{launch.STARTUP_FILE} is not installed into this Python")
+    for name in _VARIABLES:
+        os.environ.pop(name, None)
+    line = path.read_text(encoding="utf-8")
+    costs = []
+    for _ in range(2000):
+        began = time.perf_counter()
+        exec(line, {})  # what `site` does with it
+        costs.append(time.perf_counter() - began)
+    print(f"start-up file                       {path}")
+    print(f"no GLSHIM_* variable set            {median(costs) * 1e6:8.1f} us (median of 2000)")
+    print(f"  of glshim imported                {_imported({}) or 'nothing'}")
+    print(f"a whole start of Python, not set    {_start({}) * 1e3:8.2f} ms (median of 15)")
+    armed = {texts.STYLE: "raskar"}
+    print(
+        f"a whole start of Python, set        {_start(armed) * 1e3:8.2f} ms, no PyOpenGL imported"
+    )
+    return 0
+
+
+def _imported(variables: Mapping[str, str]) -> str:
+    code = "import sys; print(*(m for m in sys.modules if 'glshim' in m))"
+    command = [sys.executable, "-c", code]
+    environ = {**os.environ, **variables}
+    return subprocess.run(
+        command, env=environ, capture_output=True, text=True, check=True
+    ).stdout.strip()
+
+
+def _start(variables: Mapping[str, str]) -> float:
+    costs = []
+    for _ in range(15):
+        began = time.perf_counter()
+        subprocess.run([sys.executable, "-c", "pass"], env={**os.environ, **variables}, check=True)
+        costs.append(time.perf_counter() - began)
+    return median(costs)
+
+
+def _version_of(distribution: str) -> str | None:
+    try:
+        return version(distribution)
+    except PackageNotFoundError:
+        return None
+
+
+def _heading(text: str) -> None:
+    print(f"\n{text}")
+
+
+def _row(name: str, value: str | Path | EnvironmentFault) -> None:
+    print(f"  {name:<22} {value}")

@@ -1,0 +1,1 @@
+"""Edges of polygons and meshes: which sides meet, and how they fold."""

@@ -1,0 +1,67 @@
+"""Many small batches as one: what a thousand objects cost is one draw."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.edges.edges import Doubles, Edges, Flags
+from glshim.model.camera import Camera, cofactors
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Places:
+    """Where the parts of an `Edges` stand: each has its own object space."""
+
+    polygon: NDArray[np.int32]
+    """(P,) which modelview belongs to the polygon of a row in planes."""
+    modelviews: Doubles
+    """(M, 4, 4) affine, object space to eye space."""
+
+    @classmethod
+    def one(cls, modelview: Doubles, polygons: int) -> Places:
+        """All polygons under one modelview (4, 4)."""
+        return cls(np.zeros(polygons, np.int32), modelview[None])
+
+    def centres(self, camera: Camera) -> Doubles:
+        """(M, 4) the camera's `Camera.object_centre` under each modelview.
+
+        The minors of ``A M`` are ``adj(M)`` times the minors of A (Cauchy-Binet).
+        """
+        eye = camera.centre
+        adjugate = cofactors(self.modelviews).transpose(0, 2, 1)
+        determinant = np.einsum("mi,mi->m", self.modelviews[:, 0, :3], adjugate[:, :, 0])
+        spot = eye[:3] - self.modelviews[:, :3, 3] * eye[3]
+        along = np.einsum("mij,mj->mi", adjugate, spot)
+        return np.concatenate([along, determinant[:, None] * eye[3]], axis=1)
+
+    def mirrored(self, camera: Camera) -> Flags:
+        """(M,) `Camera.mirrored` under each modelview."""
+        turn = np.linalg.det(self.modelviews[:, :3, :3])
+        return np.asarray(float(np.linalg.det(camera.projection)) * turn > 0.0)
+
+
+def together(parts: Sequence[Edges]) -> tuple[Edges, NDArray[np.int32]]:
+    """Several `Edges` as one, each with its own neighbours, and the part of every polygon (P,)."""
+    counts = [len(part.planes) for part in parts]
+    index = np.repeat(np.arange(len(parts), dtype=np.int32), counts)
+    if len(parts) == 1:
+        return parts[0], index
+    sides = np.cumsum([0] + [len(part) for part in parts[:-1]])
+    planes = np.cumsum([0, *counts[:-1]])
+    whole = Edges(
+        np.concatenate([part.sides for part in parts]),
+        np.concatenate(
+            [part.polygon + np.int32(at) for part, at in zip(parts, planes, strict=True)]
+        ),
+        np.concatenate([part.planes for part in parts]),
+        np.concatenate([part.creases for part in parts]),
+        np.concatenate([part.parents + at for part, at in zip(parts, planes, strict=True)]),
+        np.concatenate([part.order + at for part, at in zip(parts, sides, strict=True)]),
+        np.concatenate([part.first + at for part, at in zip(parts, sides, strict=True)]),
+        np.concatenate([part.forward for part in parts]),
+    )
+    return whole, index

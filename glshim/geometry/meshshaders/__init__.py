@@ -1,0 +1,1 @@
+"""What mesh shaders decide, in numpy: poses, sieves, feature tests."""

@@ -1,1 +1,0 @@
-"""What passes over meshes decide: the numpy references of their shaders, and sieves before them."""

@@ -1,0 +1,1 @@
+"""Numpy references of shaders that no run of glshim needs: tests hold the GPU to them."""

@@ -1,1 +1,0 @@
-"""Lines from edges, and strokes from lines, as a hand would draw them in one go."""

@@ -1,0 +1,285 @@
+"""From a recovered mesh to the records of its feature lines: what the CPU decides.
+
+McGuire & Hughes 2004, equation 1, as in `glshim.geometry.meshshaders.edge_mesh`, whose
+`features` is the oracle of the GPU. Here only the edges that are features go on, in the records
+that every line shader reads (`glshim.model.lines.Line`): strokes that know the next one, so that
+joins cannot fail.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.edges.edges import Edges
+from glshim.geometry.edges.folds import FLAT, Folds, Topology
+from glshim.geometry.edges.gather import Places
+from glshim.geometry.recovery.mesh import Mesh
+from glshim.linework.chains import measure
+from glshim.linework.coherence import Drawn, Past, follow, keep
+from glshim.linework.hand import begun_anywhere, lifts, own_numbers
+from glshim.linework.polygon_lines import (
+    SHARP,
+    Seen,
+    alone_of,
+    are_similarities,
+    run_on,
+    seams_of,
+    together,
+)
+from glshim.linework.smooth_lines import SmoothPieces
+from glshim.model.camera import Camera, cofactors
+from glshim.model.lines import (
+    BOUNDARY,
+    CONTOUR,
+    FIN,
+    HOLLOW,
+    MARKED,
+    RECORD,
+    RIDGE,
+    RING,
+    VALLEY,
+    Line,
+    group_of,
+    in_group,
+    no_lines,
+)
+from glshim.model.vectors import Doubles, dot, unit
+from glshim.styling.wishes import Choice, Features
+
+Floats = NDArray[np.float32]
+Flags = NDArray[np.bool_]
+Rows = NDArray[np.intp]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Decided:
+    """Edges that are features, by row of the mesh's edges."""
+
+    contours: Rows
+    ridges: Rows
+    valleys: Rows
+    marked: Rows
+    boundary: Rows
+
+
+class EdgeLines:
+    """What of a mesh's edges does not depend on the viewer."""
+
+    def __init__(self, mesh: Mesh, topology: Topology | None = None) -> None:
+        """topology: of a mesh that this one is `Mesh.moved` from. The mesh itself is not held."""
+        self.topology = topology or Topology(mesh)
+        self.positions = mesh.positions
+        self.normals: Doubles = mesh.normals
+        self._spaces: dict[bool, Folds] = {}
+
+    @cached_property
+    def planes(self) -> Doubles:
+        """(T, 4) the unit normal of each triangle, minus its product with a corner."""
+        corner = self.positions[self.topology.triangles[:, 0]].astype(np.float64)
+        return np.asarray(np.c_[self.normals, -dot(self.normals, corner)])
+
+    @cached_property
+    def pieces(self) -> SmoothPieces:
+        """The mesh cut open at its creases."""
+        return SmoothPieces(self.topology, self.positions, self.normals, self.folds(None))
+
+    def folds(self, linear: Doubles | None) -> Folds:
+        """The dihedral angles in object space, or in the space that a linear part (3, 3) leads
+        to, which are kept: objects that only turn keep their angles."""
+        skewed = linear is not None
+        known = self._spaces.get(skewed)
+        if known is None or not known.holds(linear):
+            known = self._spaces[skewed] = Folds(
+                self.topology, self.positions, self.normals, linear
+            )
+        return known
+
+    def decided(self, modelview: Doubles, camera: Camera, wanted: Features) -> Decided:
+        """Which edges are features as a camera sees them, of an object under a modelview."""
+        return self._seen(modelview, camera).decided(wanted)
+
+    def found(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
+        """(L, 21) records of the features as a camera sees them, of an object under a modelview.
+        Outlines do not know yet where they go on."""
+        seen = self._seen(modelview, camera)
+        edges = seen.decided(wanted)
+        pieces = []
+        if wanted.contours:
+            smooth = self.pieces.contours(modelview, camera) if wanted.smooth else None
+            if smooth is None:
+                rows = edges.contours
+                angles = self.folds(None).dihedral(rows)
+                shape = np.select([angles <= SHARP, angles <= np.pi], [RING, CONTOUR], HOLLOW)
+                smooth = seen.records(rows, shape, outline=True)
+            pieces.append(smooth)
+        pieces.append(seen.records(edges.ridges, RIDGE))
+        pieces.append(seen.records(edges.valleys, VALLEY))
+        pieces.append(seen.records(edges.marked, in_group(RIDGE, MARKED)))
+        pieces.append(seen.records(edges.boundary, in_group(FIN, BOUNDARY), outline=True))
+        if wanted.suggestive:
+            suggestive = self.pieces.suggestive(modelview, camera)
+            pieces += [] if suggestive is None else [suggestive]
+        return np.concatenate(pieces)
+
+    def rims(self, modelview: Doubles) -> Edges:
+        """The boundary edges in eye space, which do not know each other yet."""
+        rows = self.topology.open_rows
+        ends = self.positions[self.topology.edges[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
+        normals = unit(self.normals[self.topology.a[rows]] @ cofactors(modelview).T)
+        each, nothing = np.arange(len(rows), dtype=np.int32), np.empty(0, np.intp)
+        sides = ends.reshape(-1, 6).astype(np.float32)
+        return Edges(
+            sides, each, np.c_[normals, -dot(normals, ends[:, 0])], normals,
+            each.astype(np.intp), nothing, nothing, np.empty(0, np.bool_),
+        )  # fmt: skip
+
+    def _seen(self, modelview: Doubles, camera: Camera) -> _Seen:
+        return _Seen(self, camera.under(modelview))
+
+
+class _Seen:
+    """Edges as a camera sees them; its modelview is theirs."""
+
+    def __init__(self, lines: EdgeLines, camera: Camera) -> None:
+        self._lines, self._camera = lines, camera
+        self._ccw: Flags = lines.planes @ camera.object_centre > 0.0
+        topology = lines.topology
+        self.ccw_a: Flags = self._ccw[topology.a]
+        """(E,) whether A winds counter-clockwise in the window."""
+        self._apart: Flags = self.ccw_a != self._ccw[topology.b]
+        self._apart ^= topology.twisted
+        self._apart &= topology.plain
+
+    def decided(self, wanted: Features) -> Decided:
+        """Equation 1."""
+        topology = self._lines.topology
+        none = np.empty(0, np.intp)
+        return Decided(
+            self._contours() if wanted.contours else none,
+            self._creases(wanted.ridge_angle, RIDGE),
+            self._creases(wanted.valley_angle, VALLEY),
+            topology.marked_rows if wanted.marked else none,
+            topology.open_rows if wanted.boundary else none,
+        )
+
+    def _contours(self) -> Rows:
+        """(N,) edges between triangles of unlike facing; of the sides inside polygons those at
+        which these are bent."""
+        rows = np.flatnonzero(self._apart)
+        inner = np.flatnonzero(self._lines.topology.inner[rows])
+        if not len(inner):
+            return rows
+        flat = self._lines.folds(None).sine(rows[inner]) <= FLAT
+        return np.delete(rows, inner[flat])
+
+    def _creases(self, angle: float | None, kind: int) -> Rows:
+        """(N,) edges that fold by less, or by more, than an angle, from the side that the app
+        calls front, or in open components from the side that is seen. Eye space."""
+        if angle is None:
+            return np.empty(0, np.intp)
+        camera, topology = self._camera, self._lines.topology
+        if are_similarities(camera.modelview[None])[0]:
+            folds, mirrored = self._lines.folds(None), camera.mirrored
+        else:
+            folds = self._lines.folds(camera.modelview[:3, :3])
+            mirrored = float(np.linalg.det(camera.projection)) > 0.0
+        rows, angles = folds.beyond(angle - np.pi if kind == VALLEY else np.pi - angle)
+        ahead = np.where(topology.single_sided[rows], camera.front_ccw, self.ccw_a[rows])
+        angles = np.where(ahead != mirrored, angles, 2.0 * np.pi - angles)
+        apt = angles < angle if kind == RIDGE else angles > angle
+        return rows[apt & ~self._apart[rows]]
+
+    def records(self, rows: Rows, kind: int | Rows, *, outline: bool = False) -> Floats:
+        """Records of edges; of an outline with the normal of its back-facing triangle."""
+        lines, modelview = self._lines, self._camera.modelview
+        topology = lines.topology
+        found = np.zeros((len(rows), RECORD), np.float32)
+        ends = lines.positions[topology.edges[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
+        turned = ~self.ccw_a[rows]
+        ends[turned] = ends[turned, ::-1]
+        with np.errstate(over="ignore"):
+            found[:, Line.ENDS] = ends.reshape(-1, 6)
+            found[:, Line.ONWARD] = ends[:, 1]
+        a, b = topology.a[rows], topology.b[rows]
+        own = np.where(self._ccw[a] == self._camera.front_ccw, b, a) if outline else a
+        turn = cofactors(modelview)
+        normals = unit(lines.normals[own] @ turn.T)
+        normals[~self._ccw[own]] *= -1.0
+        found[:, Line.NORMAL] = normals
+        if not outline:
+            found[:, Line.OTHER_NORMAL] = unit(lines.normals[b] @ turn.T)
+        found[:, Line.KIND] = kind
+        found[:, Line.NUMBER] = own_numbers(rows)
+        return found
+
+
+def feature_lines(
+    objects: Sequence[tuple[EdgeLines, Doubles]],
+    camera: Camera,
+    wanted: Features,
+    past: Past | None = None,
+) -> tuple[Floats, Past | None]:
+    """(L, 21) float32 records of the features of objects, each under its modelview (4, 4), eye
+    space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
+    patterns follow; past is what the frame before gave."""
+    own = replace(wanted, boundary=False)
+    found = [_sound(lines.found(modelview, camera, own)) for lines, modelview in objects]
+    found.append(_sound(_across(objects, camera, wanted)))
+    whole = np.concatenate(found) if found else no_lines()
+    run_on(whole)
+    if wanted.pattern is None:
+        return whole, None
+    group = group_of(whole)
+    walk = measure(whole[:, Line.A], whole[:, Line.B], group, camera, wanted.pattern)
+    owner = np.repeat(np.arange(len(found)), [len(part) for part in found])
+    named = names_of(objects)
+    a, b = (whole[:, end].astype(np.float64) for end in (Line.A, Line.B))
+    placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
+    placed = (*placed, (("seams", *named), np.eye(4)))
+    drawn = Drawn(walk, a, b, group, owner, placed)
+    if wanted.pattern.corner is not None:
+        whole[:, Line.BEFORE], whole[:, Line.AFTER] = lifts(walk, wanted.pattern.corner)
+        drawn = replace(drawn, walk=begun_anywhere(walk))
+    if past is not None:
+        drawn = replace(drawn, walk=follow(drawn, camera, past))
+    turns = np.floor(drawn.walk.begin)
+    whole[:, Line.BEGIN] = drawn.walk.begin - turns
+    whole[:, Line.FINISH] = drawn.walk.finish - turns
+    return whole, keep(drawn, camera)
+
+
+def _across(
+    objects: Sequence[tuple[EdgeLines, Doubles]], camera: Camera, wanted: Features
+) -> Floats:
+    """Records of the edges that boundary edges make with each other, whatever objects they are of:
+    a program may cut a shape into pieces that it moves into place. Of those that stay alone the
+    boundary, and the fold where they stand on another surface (Raskar 2001, sections 2.2, 2.3)."""
+    rims = [lines.rims(modelview) for lines, modelview in objects]
+    if not sum(map(len, rims)):
+        return no_lines()
+    seams = seams_of(rims)
+    seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
+    choice = Choice(wanted.contours, wanted.ridge_angle, wanted.valley_angle)
+    folds = alone_of(seams.singles, seen, replace(choice, silhouettes=False))
+    found = seen.records(together(seams, seen, choice) + folds)
+    if not wanted.boundary:
+        return found
+    alone = seen.records([(FIN, seams.singles, None)])
+    alone[:, Line.KIND] = in_group(FIN, BOUNDARY)
+    return np.concatenate((found, alone))
+
+
+def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:
+    """What objects are: their connectivity, which stays when they move."""
+    return tuple(lines.topology.name for lines, _ in objects)
+
+
+def _sound(records: Floats) -> Floats:
+    """Those that float32 can hold."""
+    finite = np.isfinite(records).all(axis=1)
+    return records if finite.all() else records[finite]

@@ -1,0 +1,121 @@
+"""From a group of draws to the records of their lines, keeping what static geometry gave."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.edges.edges import Edges, edges, edges_of_each, join
+from glshim.geometry.edges.gather import Places, together
+from glshim.linework.coherence import Past, kept_with, latest
+from glshim.linework.feature_lines import feature_lines, names_of
+from glshim.linework.objects import Objects
+from glshim.linework.polygon_lines import lines
+from glshim.model.batch import PolygonBatch
+from glshim.model.caches import AgingCache
+from glshim.styling.protocol import Draw
+from glshim.styling.wishes import Features
+
+_LARGE = 4096
+"""Corners from which a batch is looked through on its own rather than gathered with others."""
+
+
+def name_of(group: Sequence[Draw]) -> Hashable:
+    """What tells the lines of groups of one layer apart."""
+    return group[0].choice, tuple((id(one.batch), id(one.camera)) for one in group)
+
+
+class Harvest:
+    """Finds lines. cache_bytes bounds the memory of the edges of batches with a key."""
+
+    def __init__(self, cache_bytes: int) -> None:
+        self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
+        self.objects = Objects(cache_bytes)
+        self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
+        self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
+        self._known: dict[Hashable, NDArray[np.float32]] = {}
+
+    def tick(self) -> None:
+        """A layer has passed."""
+        self._known.clear()
+        self._cache.tick()
+        self.objects.tick()
+        self._past.tick()
+
+    def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
+        """(L, 21) `glshim.linework.polygon_lines` of draws alike in all but batch and modelview, or
+        the features of the meshes that they make together. The same lines drawn on several sheets
+        of a layer are found once."""
+        name = name_of(group)
+        found = self._known.get(name)
+        if found is None:
+            found = self._known[name] = self._found(group)
+        return found
+
+    def _found(self, group: Sequence[Draw]) -> NDArray[np.float32]:
+        choice = group[0].choice
+        if isinstance(choice, Features):
+            return self._features(group, choice)
+        large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
+        small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
+        if len(small) == 1:
+            large, small = [*large, *small], []
+        parts = []
+        for draw in large:
+            found = self._edges(draw.batch)
+            parts.append((found, Places.one(draw.camera.modelview, len(found.planes))))
+        if small:
+            parts.append(self._gathered(small))
+        return lines(parts, group[0].camera, choice)
+
+    def _features(self, group: Sequence[Draw], wanted: Features) -> NDArray[np.float32]:
+        items = [(draw.batch, draw.camera.modelview) for draw in group]
+        placed = self.objects.placed(items, wanted.tolerance)
+        camera = group[0].camera
+        if wanted.pattern is None:
+            return feature_lines(placed, camera, wanted)[0]
+        view, names = (wanted, camera.viewport), names_of(placed)
+        pasts = self._past.get(view) or ()
+        before = latest(pasts, names)
+        found, past = feature_lines(placed, camera, wanted, before)
+        if past is not None:
+            pasts = kept_with(past, pasts, before)
+            self._past.put(view, pasts, sum(one.nbytes for one in pasts))
+        return found
+
+    def _edges(self, batch: PolygonBatch) -> Edges:
+        """The edges of a batch, found again by key."""
+        key = batch.key
+        if key is None:
+            return edges(batch)
+        found = self._cache.get(key)
+        if found is None:
+            made = edges(batch)
+            found = self._cache.put(key, made, made.nbytes)
+        return found
+
+    def _gathered(self, draws: list[Draw]) -> tuple[Edges, Places]:
+        """The edges of many small batches, each where it stands."""
+        kept = [draw for draw in draws if draw.batch.key is not None]
+        passing: dict[int, list[Draw]] = {}
+        for draw in draws:
+            if draw.batch.key is None:
+                passing.setdefault(id(draw.camera), []).append(draw)
+        parts, owners = [], []
+        if kept:
+            keys = tuple(draw.batch.key for draw in kept)
+            if self._crowd is None or keys != self._crowd[0]:
+                self._crowd = (keys, *together([self._edges(draw.batch) for draw in kept]))
+            parts.append(self._crowd[1])
+            owners.append(self._crowd[2])
+        if passing:
+            found, owner = edges_of_each(
+                [join([draw.batch for draw in alike]) for alike in passing.values()]
+            )
+            parts.append(found)
+            owners.append(owner + np.int32(len(kept)))
+        cameras = [draw.camera for draw in kept] + [alike[0].camera for alike in passing.values()]
+        modelviews = np.stack([camera.modelview for camera in cameras])
+        return together(parts)[0], Places(np.concatenate(owners), modelviews)

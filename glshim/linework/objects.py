@@ -1,0 +1,106 @@
+"""The meshes that draws of one object space make together, with what their edges are."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from weakref import WeakKeyDictionary, WeakValueDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.geometry.crease.creases import Creases, Criterion, creases
+from glshim.geometry.edges.edges import join
+from glshim.geometry.edges.folds import Topology
+from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.meshes import Meshes
+from glshim.linework.feature_lines import EdgeLines
+from glshim.model.batch import PolygonBatch
+from glshim.model.caches import AgingCache
+from glshim.notices import say_once
+
+
+class Objects:
+    """Recovers meshes, and finds again what they gave. most_bytes bounds the memory."""
+
+    def __init__(self, most_bytes: int) -> None:
+        self._most_bytes = most_bytes
+        self._meshes: dict[float, Meshes] = {}
+        self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
+        self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
+        self._topologies: WeakValueDictionary[int, Topology] = WeakValueDictionary()
+        self._creases: AgingCache[Creases] = AgingCache(most_bytes)
+        self._parted: WeakValueDictionary[tuple[int, Criterion], Creases] = WeakValueDictionary()
+        self._reported = False
+
+    def tick(self) -> None:
+        """A layer has passed."""
+        self._whole.tick()
+        self._creases.tick()
+        for meshes in self._meshes.values():
+            meshes.tick()
+
+    def mesh(self, batches: Sequence[PolygonBatch], tolerance: float = 0.0) -> Mesh:
+        """The mesh that batches of one object space make together; vertices weld within the
+        tolerance, object units."""
+        if tolerance not in self._meshes:
+            self._meshes[tolerance] = Meshes(tolerance, self._most_bytes)
+        found = self._found(batches, self._meshes[tolerance], tolerance)
+        if not self._reported and (found.turned.any() or found.twisted.any()):
+            self._reported = True
+            say_once(f"a mesh winds its polygons both ways, they are taken as one: {found.report}")
+        return found
+
+    def _found(
+        self, batches: Sequence[PolygonBatch], meshes: Meshes, tolerance: float
+    ) -> Mesh:
+        if len(batches) == 1:
+            return meshes.find(batches[0])
+        keys: tuple[Hashable, ...] = tuple(batch.key for batch in batches)
+        if None in keys:
+            return meshes.find(join(batches))
+        found = self._whole.get((keys, tolerance))
+        if found is None:
+            found = meshes.find(join(batches))
+            self._whole.put((keys, tolerance), found, found.nbytes)
+        return found
+
+    def lines(self, batches: Sequence[PolygonBatch], tolerance: float) -> EdgeLines:
+        """What is known of the mesh's edges whatever the viewer."""
+        mesh = self.mesh(batches, tolerance)
+        found = self._lines.get(mesh)
+        if found is None:
+            # A mesh that moved keeps its array of triangles (`Mesh.moved`), which a topology holds.
+            known = self._topologies.get(id(mesh.triangles))
+            found = self._lines[mesh] = EdgeLines(mesh, topology=known)
+            self._topologies[id(mesh.triangles)] = found.topology
+        return found
+
+    def creases(self, mesh: Mesh, criterion: Criterion) -> Creases:
+        """The creases of a mesh, by a criterion."""
+        found = self._creases.get((id(mesh), criterion))  # of a mesh that it holds
+        if found is None:
+            before = self._parted.get((id(mesh.triangles), criterion))
+            # A mesh that moved keeps its array of triangles.
+            found = (
+                before.moved(mesh, mesh.corner_normals)
+                if before
+                else creases(mesh, mesh.corner_normals, **criterion._asdict())
+            )
+            self._creases.put((id(mesh), criterion), found, found.nbytes)
+            self._parted[id(mesh.triangles), criterion] = found
+        return found
+
+    def placed(
+        self,
+        items: Sequence[tuple[PolygonBatch, NDArray[np.float64]]],
+        tolerance: float,
+    ) -> list[tuple[EdgeLines, NDArray[np.float64]]]:
+        """Batches, each under its modelview (4, 4), as objects: those that share one, even across
+        glBegin and lists, are one object."""
+        together: dict[bytes, tuple[list[PolygonBatch], NDArray[np.float64]]] = {}
+        for batch, modelview in items:
+            together.setdefault(modelview.tobytes(), ([], modelview))[0].append(batch)
+        return [
+            (self.lines(batches, tolerance), modelview)
+            for batches, modelview in together.values()
+        ]

@@ -1,0 +1,1 @@
+"""What becomes of a finished layer: an output takes what a styler gave."""

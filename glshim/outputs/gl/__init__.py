@@ -1,0 +1,1 @@
+"""The OpenGL picture: lines and passes over the app's own frame."""

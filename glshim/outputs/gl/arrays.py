@@ -1,0 +1,71 @@
+"""The client's arrays, for draws of our own from the client's memory."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.model.batch import PolygonBatch
+from glshim.model.vectors import cross
+from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.context import version
+
+_ARRAYS = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
+"""Vertices, normals, colours, indices, edge flags, fog and secondary colours."""
+_TEXTURE_0, _COORDINATES, _MOST_COORDINATES, _MOST_UNITS = 0x84C0, 0x8078, 0x8871, 0x84E2
+_SLIVER = 1e-6
+"""Area of a triangle over the square of its longest side below which float32 has no facing for it.
+"""
+_MOST_ATTRIBUTES, _ARRAY_BUFFER = 0x8869, 0x8892
+
+
+def put_the_apps_arrays_away() -> None:
+    """They may be shorter than what is drawn now. Asks nothing that a version does not have but
+    for arrays that it does not know."""
+    number = version() or (1, 1)
+    if number >= (1, 5):
+        gl.glBindBuffer(_ARRAY_BUFFER, 0)
+    for array in _ARRAYS:
+        gl.glDisableClientState(array)
+    if number >= (1, 3):
+        most = max(integer(_MOST_UNITS), integer(_MOST_COORDINATES) if number >= (2, 0) else 0)
+        for unit in range(most):
+            gl.glClientActiveTexture(_TEXTURE_0 + unit)
+            gl.glDisableClientState(_COORDINATES)
+    else:
+        gl.glDisableClientState(_COORDINATES)
+    if number >= (2, 0):
+        for location in range(integer(_MOST_ATTRIBUTES)):
+            gl.glDisableVertexAttribArray(location)
+
+
+def fans(batch: PolygonBatch) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
+    """The polygons of a batch as triangles: corners (T, 3, 3), object space, and for each the edge
+    flag (T, 3) of the side that leaves it: 1 for a true edge, 0 for a diagonal of a polygon.
+
+    Points that repeat along a polygon (the pole of a sphere of quads) count once. Triangles without
+    area are left out: GL takes them for back faces wherever they lie.
+    """
+    owner = np.repeat(np.arange(batch.polygon_count), np.diff(batch.starts))
+    following = np.arange(1, len(owner) + 1)
+    following[batch.starts[1:] - 1] = batch.starts[:-1]
+    points = batch.positions[batch.corners]
+    kept = (points != points[following]).any(axis=1)
+    points, flags, owner = points[kept], batch.boundary[kept], owner[kept]
+    sizes = np.bincount(owner, minlength=batch.polygon_count)
+    count = np.maximum(sizes - 2, 0)
+    first = np.repeat(np.cumsum(sizes) - sizes, count)
+    step = np.arange(len(first)) - np.repeat(np.cumsum(count) - count, count)
+    corners = np.stack([first, first + step + 1, first + step + 2], axis=1)
+    flags = flags[corners]
+    flags[:, 0] &= step == 0
+    flags[:, 2] &= step == np.repeat(count, count) - 1
+    points = points[corners]
+    with np.errstate(invalid="ignore", over="ignore"):
+        sides = (points[:, [1, 2, 0]] - points).astype(np.float64)
+        area = np.linalg.norm(cross(sides[:, 0], sides[:, 1]), axis=1)
+        whole = area > _SLIVER * (sides * sides).sum(axis=2).max(axis=1, initial=0.0)
+    return (
+        np.ascontiguousarray(points[whole], np.float32),
+        np.ascontiguousarray(flags[whole], np.uint8),
+    )

@@ -1,0 +1,228 @@
+"""Draws of stylers into the app's framebuffer."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Iterator
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.errors import RenderError
+from glshim.linework.finder import Harvest, name_of
+from glshim.linework.groups import grouped
+from glshim.linework.polygon_lines import lay_pattern
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.notices import say_once
+from glshim.outputs.gl.cameras import box_of, hair_of, scissor, stencil, turned
+from glshim.outputs.gl.depth import Box, DepthCopy
+from glshim.outputs.gl.driver import current_context, integer
+from glshim.outputs.gl.guard import Guard, possible
+from glshim.outputs.gl.lines.canvas import Canvas
+from glshim.outputs.gl.lines.crossings import Crossings
+from glshim.outputs.gl.lines.laying import Layer
+from glshim.outputs.gl.lines.legacy import LegacyPen
+from glshim.outputs.gl.lines.pen import Pen
+from glshim.outputs.gl.passes.runner import Runner
+from glshim.outputs.gl.plain import plainly
+from glshim.outputs.gl.textures import Textures
+from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Draw
+from glshim.styling.wishes import Choice
+
+_DEPTH_FUNC, _DEPTH_BITS, _FRAMEBUFFER_BINDING = 0x0B74, 0x0D56, 0x8CA6
+_GREATER, _GEQUAL = 0x0204, 0x0206
+_LAID_BITS = 24
+"""Bits of the depth buffer that stands in where a window has none."""
+
+
+Item = tuple[PolygonBatch, Camera]
+
+
+class Backend:
+    """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
+
+    def __init__(self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int) -> None:
+        self.pen = pen
+        self._crossings = crossings
+        self._harvest = Harvest(cache_bytes)
+        self._depth = DepthCopy()
+        self._canvas = Canvas(modern=isinstance(pen, Pen))
+        self._textures = Textures()
+        self._layer: Layer | None = None
+        self._runner: Runner | None = None
+        self._met: dict[Hashable, NDArray[np.float32]] = {}
+        """Where polygons of a group of the layer cross each other."""
+        self._cache_bytes = cache_bytes
+
+    @classmethod
+    def attach(cls, *, cache_bytes: int = 256 << 20, ring_bytes: int = 8 << 20) -> Backend:
+        """A backend in the current context, whose state stays as it was.
+
+        cache_bytes bounds the memory of the edges of batches with a key; ring_bytes is the GPU
+        memory through which lines stream (it grows when one draw needs more). Raises
+        `RenderError` when no context is current, or it is not one that lines can be drawn in.
+        """
+        if not current_context() or not version_text():
+            raise RenderError("no GL context is current: nothing can be drawn")
+        lacking = shortcoming()
+        if lacking:
+            raise RenderError(lacking)
+        if not possible():
+            raise RenderError("GL is compiling a list, selecting, or its attribute stack is full")
+        with Guard():
+            try:
+                if (version() or MODERN) < MODERN:
+                    return cls(LegacyPen(), None, cache_bytes)
+                context = moderngl.create_context(require=330)
+                crossings = Crossings(context, cache_bytes // 2)
+                return cls(Pen(context, ring_bytes), crossings, cache_bytes)
+            except Exception as error:
+                text = f"no drawing in this context ({version_text()}): {error}"
+                raise RenderError(text) from error
+
+    def render(self, draws: Iterable[Draw | Pass]) -> None:
+        """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
+
+        Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
+        where GL cannot draw now (a list being compiled, selection, a full attribute stack). Raises
+        `RenderError` when a shader does not compile.
+        """
+        self._harvest.tick()
+        self._met.clear()
+        if self._crossings is not None:
+            self._crossings.tick()
+        if self._runner is not None:
+            self._runner.residents.tick()
+        runs = _runs(draws)
+        items = [item for run in runs for item in run.items]
+        if not items or not possible():
+            return
+        box = box_of(camera for _, camera in items)
+        if not box[2] or not box[3]:
+            return
+        with Guard():
+            window = integer(_FRAMEBUFFER_BINDING)
+            bits = integer(_DEPTH_BITS)
+            greater = integer(_DEPTH_FUNC) in (_GREATER, _GEQUAL)
+            plainly()
+            self._take_depth(items, box, bits, greater)
+            bits = bits or _LAID_BITS
+            for run in runs:
+                if run.passes:
+                    self._run(run.passes, window, box, bits, greater)
+                # The app's stencil test holds where the ink goes over its picture.
+                for _, alike in groupby(run.lines, key=lambda group: group[0].camera.stencil):
+                    self._ink(list(alike), window, box, bits, greater)
+
+    def _run(
+        self, passes: list[Pass], window: int, box: Box, bits: int, greater: bool
+    ) -> None:
+        """Passes in turn, laid over the window."""
+        if isinstance(self.pen, LegacyPen):
+            say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
+            return
+        if self._runner is None:
+            self._runner = Runner(self.pen.context, self._harvest.objects, self._cache_bytes)
+        for camera, some in _by_stencil(passes):
+            self._runner.run(
+                some, window, box, self._depth, self._textures,
+                last=camera, greater=greater, hair=hair_of(bits),
+            )  # fmt: skip
+
+    def _take_depth(self, items: list[Item], box: Box, bits: int, greater: bool) -> None:
+        """Have the layer's finished depth in a texture."""
+        if bits and self._depth.take(box, bits):
+            return
+        if self._layer is None:
+            self._layer = Layer()
+        self._layer.lay(items, self._depth, box, greater)
+
+    def _ink(
+        self, groups: list[list[Draw]], window: int, box: Box, bits: int, greater: bool
+    ) -> None:
+        """Gather the ink of groups and lay it over the window."""
+        self._canvas.open(box)
+        for group in groups:
+            first = group[0]
+            records = self._harvest.records(group)
+            crossing = isinstance(first.choice, Choice) and first.choice.intersections
+            if crossing and self._crossings is None:
+                say_once(f"{UNAVAILABLE}; the other lines are drawn")
+            elif crossing and self._crossings:
+                records = np.concatenate((records, self._crossed(group, greater, bits)))
+            if not len(records):
+                continue
+            camera, away = turned(first.camera, greater)
+            if first.image is not None:
+                self._textures.bind(first.image)
+            scissor(camera, box)
+            self.pen.draw(
+                records, camera, first.shader, first.uniforms, self._depth,
+                away=away, hair=hair_of(bits),
+            )  # fmt: skip
+        stencil(groups[0][0].camera)
+        tidy = all(group[0].image is None for group in groups)
+        self._canvas.put_over(window, box, tidy=tidy)
+
+
+    def _crossed(
+        self, group: list[Draw], greater: bool, bits: int
+    ) -> NDArray[np.float32]:
+        """Records of the crossings of a group's polygons, found once a layer."""
+        name, first = name_of(group), group[0]
+        found = self._met.get(name)
+        if found is None:
+            assert self._crossings is not None and isinstance(first.choice, Choice)
+            found = self._crossings.find(group, greater=greater, bits=bits)
+            if first.choice.pattern is not None:
+                lay_pattern(found, first.camera, first.choice.pattern)
+            self._met[name] = found
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """Draws, or passes, that follow each other."""
+
+    lines: list[list[Draw]]
+    """Those that one GL draw can serve together."""
+    passes: list[Pass]
+
+    @property
+    def items(self) -> list[Item]:
+        """All batches, each with its camera."""
+        lines = [(draw.batch, draw.camera) for group in self.lines for draw in group]
+        bodies = (body for one in self.passes for body in one.bodies)
+        return lines + [(batch, body.camera) for body in bodies for batch in body.batches]
+
+
+def _by_stencil(passes: list[Pass]) -> Iterator[tuple[Camera, list[Pass]]]:
+    """Passes parted by the app's stencil tests, which hold where they go over its picture, and
+    a camera that has the test. What prepares the depth of whole windows is in every part."""
+    cameras = {body.camera.stencil: body.camera for one in passes for body in one.bodies}
+    if len(cameras) == 1:
+        yield next(iter(cameras.values())), passes
+        return
+    for test, camera in cameras.items():
+        parts = []
+        for one in passes:
+            whole = one.element == "screen" and not one.state.writes_colour
+            own = [body for body in one.bodies if whole or body.camera.stencil == test]
+            parts.append(replace(one, bodies=tuple(own)))
+        yield camera, [one for one in parts if one.bodies]
+
+
+def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
+    found: list[_Run] = []
+    for (kind, _), alike in groupby(draws, key=lambda one: (type(one), getattr(one, "sheet", 0))):
+        if not issubclass(kind, (Draw, Pass)):
+            raise TypeError(f"a styler draws with Draw and Pass, not with {kind.__name__}")
+        run = list(alike)
+        lines = grouped(one for one in run if isinstance(one, Draw))
+        found.append(_Run(lines, [one for one in run if isinstance(one, Pass)]))
+    return found

@@ -1,0 +1,110 @@
+"""What a line shader and the fixed state need to know of a camera."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.model.camera import Camera
+from glshim.outputs.gl.depth import UNIT as DEPTH_UNIT
+from glshim.outputs.gl.depth import DepthCopy
+from glshim.outputs.gl.driver import gl
+from glshim.outputs.gl.sheet import SHEET
+from glshim.outputs.gl.textures import STROKE_UNIT
+
+_STENCIL_TEST = 0x0B90
+MOST_CLIP_PLANES = 6
+_HAIR = 4.0
+"""Steps of the depth buffer between a line and the surface that it belongs to."""
+
+
+def turned(camera: Camera, greater: bool) -> tuple[Camera, float]:
+    """The camera with its depth range turned so that greater is farther away, and the factor that
+    turns depths of the window (+1 or -1). greater: the app's depth test lets greater depths win."""
+    near, far = camera.depth_range
+    away = -1.0 if greater else 1.0
+    return replace(camera, depth_range=(away * near, away * far)), away
+
+
+def hair_of(bits: int) -> float:
+    """A few steps of a depth buffer in window depth; shaders have no more than 24 bits."""
+    return _HAIR / 2.0 ** min(bits, 24)
+
+
+def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
+    """The camera as uniforms (matrices columns first); None when nothing can be seen by it."""
+    x, y, width, height = camera.viewport
+    if min(width, height) <= 0:
+        return None
+    if not np.isfinite(camera.projection).all():
+        return None
+    try:
+        unprojection = np.linalg.inv(camera.projection)
+    except np.linalg.LinAlgError:
+        return None
+    half = width / 2.0, height / 2.0
+    found = {
+        "projection": camera.projection.T,
+        "unprojection": unprojection.T,
+        "viewpoint": camera.viewpoint,
+        "viewport": np.array((x + half[0], y + half[1], *half)),
+        "range": np.array(camera.depth_range),
+        "port": _port(x, y, width, height),
+    }
+    if camera.clip_planes:
+        found["clip_planes"] = np.array(camera.clip_planes[:MOST_CLIP_PLANES])
+    return found
+
+
+def inputs_of(
+    camera: Camera, depth: DepthCopy, *, away: float, hair: float
+) -> dict[str, Any] | None:
+    """The uniforms of the preludes of line shaders: those of `view_of`, and the finished depth."""
+    view = view_of(camera)
+    if view is None:
+        return None
+    return view | {
+        "away": away, "hair": hair, "blur": depth.blur, "finished_depth": DEPTH_UNIT,
+        "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
+        "shot": (*SHEET.origin, SHEET.scale),
+    }  # fmt: skip
+
+
+def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:
+    """The least box (x, y, width, height, pixels of the framebuffer) around all viewports."""
+    ports = [camera.viewport for camera in cameras]
+    x, y = (max(min(port[k] for port in ports), 0) for k in (0, 1))
+    right, top = (
+        min(max(port[k] + port[k + 2] for port in ports), SHEET.bounds[k]) for k in (0, 1)
+    )
+    return x, y, max(right - x, 0), max(top - y, 0)
+
+
+def _port(x: int, y: int, width: int, height: int) -> NDArray[np.float64]:
+    """The least and the greatest pixel centre of a viewport that there are."""
+    right, top = (min(a, b) for a, b in zip((x + width, y + height), SHEET.bounds, strict=True))
+    return np.array((max(x, 0) + 0.5, max(y, 0) + 0.5, right - 0.5, top - 0.5))
+
+
+def scissor(
+    camera: Camera, box: tuple[int, int, int, int], origin: tuple[int, int] = (0, 0)
+) -> None:
+    """Let drawing reach what the camera's viewport and scissor box leave of a box. origin: the
+    pixel of the app's framebuffer that is the first of the one drawn to."""
+    edges = [box, camera.viewport, *([camera.scissor] if camera.scissor else [])]
+    x, y = (max(edge[k] for edge in edges) for k in (0, 1))
+    right, top = (min(edge[k] + edge[k + 2] for edge in edges) for k in (0, 1))
+    gl.glScissor(x - origin[0], y - origin[1], max(right - x, 0), max(top - y, 0))
+
+
+def stencil(camera: Camera) -> None:
+    """The app's stencil test, as far as it hides."""
+    if camera.stencil is None:
+        gl.glDisable(_STENCIL_TEST)
+    else:
+        gl.glEnable(_STENCIL_TEST)
+        gl.glStencilFunc(*camera.stencil)

@@ -1,0 +1,383 @@
+"""Which polygons pass through each other where it is seen: found by the GPU, made lines in numpy.
+
+Raskar 2001, section 2.4, in two passes over the polygons. The first notes the visible triangle of
+each pixel. The second traps those that lie between it and a second depth, and notes both: the
+paper's test per pixel, but it yields which polygons cross rather than black pixels. Their common
+segments are lines like any other (`glshim.linework.crossings`).
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.resources import files
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.errors import RenderError
+from glshim.geometry.edges.edges import Doubles, Flags, Indices, join
+from glshim.linework import crossings
+from glshim.model.batch import PolygonBatch
+from glshim.model.caches import AgingCache
+from glshim.model.camera import Camera
+from glshim.model.lines import RECORD
+from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
+from glshim.outputs.gl.depth import UNIT, Box
+from glshim.outputs.gl.driver import gl, integer
+from glshim.outputs.gl.lines.laying import triangles
+from glshim.styling.protocol import Draw
+
+_SMALL = 512
+"""Triangles up to which what has one modelview is drawn together with others."""
+_MOST_TRIANGLES, _MOST_PIXELS = 1 << 30, 1 << 24
+_FRONT = 1 << 31
+"""What the shader adds to the numbers of triangles that face the viewer."""
+_UNIT = 12
+_FRAMEBUFFER, _DRAW, _READ = 0x8D40, 0x8CA9, 0x8CA8
+_DRAW_BINDING, _READ_BINDING = 0x8CA6, 0x8CAA
+_COLOUR_AT, _DEPTH_AT, _COMPLETE = 0x8CE0, 0x8D00, 0x8CD5
+_RENDERBUFFER, _DEPTH_32F = 0x8D41, 0x8CAC
+_TEXTURE_0, _TEXTURE_2D, _ARRAY_BUFFER = 0x84C0, 0x0DE1, 0x8892
+_PACK_BUFFER, _UNPACK_BUFFER = 0x88EB, 0x88EC
+_RGBA_32UI, _RG_32UI, _RGBA_INTEGER, _RG_INTEGER = 0x8D70, 0x823C, 0x8D99, 0x8228
+_FLOAT, _UNSIGNED_INT, _TRIANGLES, _COLOUR = 0x1406, 0x1405, 0x0004, 0x1800
+_LESS, _GREATER, _DEPTH_BUFFER = 0x0201, 0x0204, 0x0100
+_DEPTH_TEST, _SCISSOR_TEST, _CLIP_PLANE = 0x0B71, 0x0C11, 0x3000
+_NEAREST = ((0x2801, 0x2600), (0x2800, 0x2600))
+_PACKING = ((0x0D00, 0), (0x0D02, 0), (0x0D03, 0), (0x0D04, 0), (0x0D05, 4))
+
+Floats = NDArray[np.float32]
+
+
+class _Body:
+    """Batches in one object space, as triangles."""
+
+    def __init__(self, batches: Sequence[PolygonBatch]) -> None:
+        self.corners: Floats = triangles(join(batches))
+        """(T, 3, 3) object space."""
+        fans = [int(np.maximum(np.diff(batch.starts) - 2, 0).sum()) for batch in batches]
+        self.owner = np.repeat(np.arange(len(batches), dtype=np.int32), fans)
+        """(T,) the batch of each."""
+        self.buffer: Any = None
+        """The corners on the GPU, where they stay."""
+
+    def __len__(self) -> int:
+        return len(self.corners)
+
+    @cached_property
+    def neighbours(self) -> Indices:
+        """(T, 3) the triangle at each side, -1 for none."""
+        return crossings.neighbours(self.corners, self.owner)
+
+    def release(self) -> None:
+        """Free the memory on the GPU."""
+        if self.buffer is not None:
+            self.buffer.release()
+            self.buffer = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Chunk:
+    """Triangles that one GL draw serves."""
+
+    corners: Floats
+    """(T, 3, 3) in the space before modelview."""
+    modelview: Doubles
+    buffer: int
+    offset: int
+
+
+class _Scene:
+    """Triangles of a group, numbered through. An `crossings.Triangles` in eye space."""
+
+    def __init__(
+        self, chunks: Sequence[_Chunk], bodies: Sequence[_Body], state: Hashable | None
+    ) -> None:
+        self.chunks = chunks
+        self.first = np.cumsum([0] + [len(chunk.corners) for chunk in chunks])
+        """(chunks + 1,) number of each chunk's first triangle."""
+        self._bodies = bodies
+        self._starts = np.cumsum([0] + [len(body) for body in bodies])
+        self.state = state
+        """Equal states are equal scenes; None: this one is seen once."""
+
+    def __getitem__(self, index: Indices, /) -> Doubles:
+        found = np.empty((len(index), 3, 3))
+        which = np.searchsorted(self.first, index, side="right") - 1
+        for at in np.flatnonzero(np.bincount(which)).tolist():
+            chunk, rows = self.chunks[at], np.flatnonzero(which == at)
+            found[rows] = _moved(chunk.corners[index[rows] - self.first[at]], chunk.modelview)
+        return found
+
+    def of_one_mesh(self, pairs: Indices) -> Flags:
+        """(N,) whether both triangles of pairs (N, 2) come from one batch."""
+        which = np.searchsorted(self._starts, pairs, side="right") - 1
+        owner = np.concatenate([body.owner for body in self._bodies])[pairs]
+        return np.asarray((which[:, 0] == which[:, 1]) & (owner[:, 0] == owner[:, 1]))
+
+    def neighbours(self, pairs: Indices) -> Indices:
+        """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
+        first = self._starts
+        beside = np.full((int(first[-1]), 3), -1, np.intp)
+        which = np.searchsorted(first, pairs.ravel(), side="right") - 1
+        named = np.flatnonzero(np.bincount(which)).tolist()
+        for at in named:
+            own = self._bodies[at].neighbours
+            beside[first[at] : first[at + 1]] = np.where(own >= 0, own + first[at], -1)
+        if len(named) > 1:
+            among = [np.arange(first[at], first[at + 1]) for at in named]
+            crossings.bridge(self, beside, np.concatenate(among))
+        return beside
+
+
+class Crossings:
+    """Finds visible intersections. Make and use it inside the state guard."""
+
+    def __init__(self, context: Any, cache_bytes: int = 128 << 20) -> None:
+        self._context = context
+        self._bodies: AgingCache[_Body] = AgingCache(cache_bytes, drop=_Body.release)
+        self._programs: dict[tuple[int, bool], dict[str, Any]] = {}
+        self._ring: Any = None
+        self._last: tuple[Hashable, Indices, Floats] | None = None
+        self._size = (0, 0)
+        self._framebuffers = tuple(_name("glGenFramebuffers") for _ in range(2))
+        self._textures = tuple(_name("glGenTextures") for _ in range(2))
+        self._depth = _name("glGenRenderbuffers")
+        self._array = _name("glGenVertexArrays")
+
+    def tick(self) -> None:
+        """A layer has passed."""
+        self._bodies.tick()
+
+    def find(
+        self, draws: Sequence[Draw], *, greater: bool = False, bits: int | None = None
+    ) -> Floats:
+        """(L, 21) records (`glshim.model.lines`) where polygons of draws cross.
+
+        draws: a group of `glshim.linework.groups.grouped`. greater: farther is less depth. bits of
+        the app's finished depth, which `glshim.outputs.gl.depth.UNIT` holds; None: there is none.
+        What is not in that is left out. Blending, culling and the like are off; bindings come back
+        as they were, depth test and writes are off afterwards.
+        """
+        camera = draws[0].camera
+        scene = self._scene(draws)
+        box = box_of([camera])
+        pixels = box[2] * box[3]
+        if not 0 < scene.first[-1] < _MOST_TRIANGLES or not 0 < pixels <= _MOST_PIXELS:
+            return np.empty((0, RECORD), np.float32)
+        seeds = self._seeds(scene, camera, box, greater, bits)
+        last = self._last
+        same = last is not None and scene.state is not None and scene.state == last[0]
+        if last is not None and same and np.array_equal(seeds, last[1]):
+            return last[2]
+        records = _lines(scene, seeds)
+        self._last = (scene.state, seeds, records)
+        return records
+
+    def _scene(self, draws: Sequence[Draw]) -> _Scene:
+        """The triangles of draws on the GPU: large ones stay there, the others go through a ring,
+        many small ones as one."""
+        alike: dict[tuple[bytes, bool], list[Draw]] = {}
+        for draw in draws:
+            place = draw.camera.modelview.tobytes(), draw.batch.key is not None
+            alike.setdefault(place, []).append(draw)
+        placed = []
+        for (_, keyed), same in alike.items():
+            key = tuple(draw.batch.key for draw in same) if keyed else None
+            body = self._body([draw.batch for draw in same], key)
+            placed.append((key, body, same[0].camera.modelview))
+        large = [entry for entry in placed if len(entry[1]) > _SMALL]
+        kept = [(body, at) for key, body, at in large if key in self._bodies]
+        passing = [(body, at) for key, body, at in large if key not in self._bodies]
+        small = [(body, at) for _, body, at in placed if len(body) <= _SMALL]
+        streamed = [(body.corners, at) for body, at in passing]
+        if small:
+            with np.errstate(all="ignore"):  # an app may send anything
+                eye = [_moved(body.corners, at) for body, at in small]
+                streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
+        ring = self._stream([corners for corners, _ in streamed])
+        chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
+        offset = 0
+        for corners, at in streamed:
+            chunks.append(_Chunk(corners, at, ring, offset))
+            offset += corners.nbytes
+        keys = tuple(key for key, _, _ in placed)
+        state = None if None in keys else (tuple(alike), keys)
+        return _Scene(chunks, [body for body, _ in (*kept, *passing, *small)], state)
+
+    def _body(self, batches: list[PolygonBatch], key: Hashable | None) -> _Body:
+        if key is None:
+            return _Body(batches)
+        found = self._bodies.get(key)
+        if found is None:
+            made = _Body(batches)
+            found = self._bodies.put(key, made, 100 * len(made))  # 36 each here, there; 24 beside
+        return found
+
+    def _held(self, body: _Body) -> int:
+        """The name of the buffer with a body's corners."""
+        if body.buffer is None:
+            body.buffer = self._context.buffer(body.corners)
+        return int(body.buffer.glo)
+
+    def _stream(self, parts: Sequence[Floats]) -> int:
+        """The name of a buffer in which parts lie one after another."""
+        size = sum(part.nbytes for part in parts)
+        if self._ring is None or size > self._ring.size:
+            if self._ring is not None:
+                self._ring.release()
+            self._ring = self._context.buffer(reserve=max(2 * size, 1 << 16), dynamic=True)
+        else:
+            self._ring.orphan()
+        offset = 0
+        for part in parts:
+            self._ring.write(part, offset=offset)
+            offset += part.nbytes
+        return int(self._ring.glo)
+
+    def _seeds(
+        self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
+    ) -> Indices:
+        """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
+        `_FRONT` where they face the viewer."""
+        draw, read = integer(_DRAW_BINDING), integer(_READ_BINDING)
+        gl.glActiveTexture(_TEXTURE_0 + _UNIT)
+        self._fit(*box[2:])
+        gl.glEnable(_DEPTH_TEST)
+        gl.glDepthMask(1)
+        gl.glDepthFunc(_GREATER if greater else _LESS)
+        gl.glClearDepth(0.0 if greater else 1.0)
+        gl.glBindVertexArray(self._array)
+        gl.glEnableVertexAttribArray(0)
+        planes = camera.clip_planes[:MOST_CLIP_PLANES]
+        for plane in range(len(planes)):
+            gl.glEnable(_CLIP_PLANE + plane)
+        nothing = (ctypes.c_uint * 4)()
+        for trap, framebuffer in enumerate(self._framebuffers):
+            gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
+            gl.glDisable(_SCISSOR_TEST)
+            gl.glClear(_DEPTH_BUFFER)
+            gl.glClearBufferuiv(_COLOUR, 0, ctypes.addressof(nothing))
+            _place(camera, box)
+            program = self._program(len(planes), bool(trap))
+            gl.glUseProgram(program["glo"])
+            _write(program, "projection", camera.projection.T)
+            _write(program, "clip_planes", np.array(planes))
+            if trap:
+                program["seen"].value = _UNIT
+                program["away"].value = -1.0 if greater else 1.0
+                gl.glBindTexture(_TEXTURE_2D, self._textures[0])
+            else:
+                program["finished"].value = UNIT
+                program["corner_at"].value = box[:2]
+                program["hair"].value = hair_of(bits) if bits else -1.0
+                gl.glBindTexture(_TEXTURE_2D, 0)
+            for chunk, first in zip(scene.chunks, scene.first.tolist(), strict=False):
+                _write(program, "modelview", chunk.modelview.T)
+                program["first_triangle"].value = first
+                gl.glBindBuffer(_ARRAY_BUFFER, chunk.buffer)
+                gl.glVertexAttribPointer(0, 3, _FLOAT, 0, 12, chunk.offset)
+                gl.glDrawArrays(_TRIANGLES, 0, 3 * len(chunk.corners))
+        noted = np.empty((box[2] * box[3], 2), np.uint32)
+        gl.glBindBuffer(_PACK_BUFFER, 0)
+        for name, value in _PACKING:
+            gl.glPixelStorei(name, value)
+        gl.glReadPixels(0, 0, *box[2:], _RG_INTEGER, _UNSIGNED_INT, noted.ctypes.data)
+        gl.glBindFramebuffer(_DRAW, draw)
+        gl.glBindFramebuffer(_READ, read)
+        gl.glDisable(_DEPTH_TEST)
+        gl.glDepthMask(0)
+        gl.glEnable(_SCISSOR_TEST)
+        for plane in range(len(planes)):
+            gl.glDisable(_CLIP_PLANE + plane)
+        code = noted.view(np.uint64)[:, 0]
+        code = crossings.distinct(code[code != 0])
+        return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
+
+    def _fit(self, width: int, height: int) -> None:
+        """Both framebuffers, at least so large."""
+        if width <= self._size[0] and height <= self._size[1]:
+            return
+        self._size = (max(width, self._size[0]), max(height, self._size[1]))
+        gl.glBindBuffer(_UNPACK_BUFFER, 0)
+        gl.glBindRenderbuffer(_RENDERBUFFER, self._depth)
+        gl.glRenderbufferStorage(_RENDERBUFFER, _DEPTH_32F, *self._size)
+        kinds = (_RGBA_32UI, _RGBA_INTEGER), (_RG_32UI, _RG_INTEGER)
+        for framebuffer, texture, (kind, layout) in zip(
+            self._framebuffers, self._textures, kinds, strict=True
+        ):
+            gl.glBindTexture(_TEXTURE_2D, texture)
+            for parameter, value in _NEAREST:
+                gl.glTexParameteri(_TEXTURE_2D, parameter, value)
+            gl.glTexImage2D(_TEXTURE_2D, 0, kind, *self._size, 0, layout, _UNSIGNED_INT, None)
+            gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
+            gl.glFramebufferTexture2D(_FRAMEBUFFER, _COLOUR_AT, _TEXTURE_2D, texture, 0)
+            gl.glFramebufferRenderbuffer(_FRAMEBUFFER, _DEPTH_AT, _RENDERBUFFER, self._depth)
+            if gl.glCheckFramebufferStatus(_FRAMEBUFFER) != _COMPLETE:
+                raise RenderError("no framebuffer of numbers can be made: no intersections")
+
+    def _program(self, planes: int, trap: bool) -> dict[str, Any]:
+        """The program's uniforms by name, and its own name as ``glo``."""
+        planes = min(planes, MOST_CLIP_PLANES)
+        found = self._programs.get((planes, trap))
+        if found is None:
+            defines = f"#define CLIP_PLANES {planes}\n#define TRAP {int(trap)}\n"
+            head = f"#version 330\n{defines}#line 1\n"
+            shaders = files("glshim.outputs.gl") / "shaders"
+            try:
+                program = self._context.program(
+                    vertex_shader=head + (shaders / "crossings.vert.glsl").read_text("utf-8"),
+                    fragment_shader=head + (shaders / "crossings.frag.glsl").read_text("utf-8"),
+                )
+            except moderngl.Error as error:
+                raise RenderError(f"the crossings' shader does not compile: {error}") from error
+            found = {name: program[name] for name in program} | {"glo": program.glo}
+            self._programs[planes, trap] = found
+        return found
+
+
+def _moved(corners: Floats, modelview: Doubles) -> Doubles:
+    """(T, 3, 3) corners under an affine matrix; numpy is slow with many matrices of 3 by 3."""
+    points = corners.reshape(-1, 3) @ modelview[:3, :3].T
+    return np.asarray(points + modelview[:3, 3]).reshape(-1, 3, 3)
+
+
+def _lines(scene: _Scene, seeds: Indices) -> Floats:
+    """(L, 21) line records of seeds (N, 2) and what follows from them."""
+    numbers = seeds & (_FRONT - 1)
+    crossing, near = crossings.sift(scene, numbers)
+    if not crossing.any():  # as a rule: neighbours are not even looked for
+        return np.empty((0, RECORD), np.float32)
+    beside = scene.neighbours(numbers)
+    # Along its silhouette a mesh's front and back lie near each other: no need to go and look.
+    near &= ((seeds[:, 0] ^ seeds[:, 1]) & _FRONT == 0) | ~scene.of_one_mesh(numbers)
+    closer = crossings.approach(scene, beside, numbers[near])
+    followed = crossings.trace(scene, beside, np.concatenate((numbers[crossing], closer)))
+    return crossings.records(scene, beside, followed)
+
+
+def _place(camera: Camera, box: Box) -> None:
+    """Viewport, depth range and scissor of a camera, in a framebuffer that holds a box."""
+    x, y = box[:2]
+    left, low, across, up = camera.viewport
+    gl.glEnable(_SCISSOR_TEST)
+    scissor(camera, box, (x, y))
+    gl.glViewport(left - x, low - y, across, up)
+    gl.glDepthRange(*camera.depth_range)
+
+
+def _write(program: dict[str, Any], name: str, value: NDArray[np.float64]) -> None:
+    found = program.get(name)
+    if found is not None:
+        found.write(np.ascontiguousarray(value, np.float32))
+
+
+def _name(make: str) -> int:
+    value = ctypes.c_uint()
+    getattr(gl, make)(1, ctypes.addressof(value))
+    return value.value

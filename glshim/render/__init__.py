@@ -1,1 +1,0 @@
-"""Draws to frame, in the app's own context."""

@@ -1,0 +1,122 @@
+"""One run of a program under GLSHIM_* variables: the style, the frames to write, the end."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from glshim.control import keys
+from glshim.control.reload import Reloader
+from glshim.errors import GlshimError
+from glshim.notices import say, say_fault
+from glshim.running import stillness
+from glshim.styling import texts
+from glshim.styling.protocol import Styler
+from glshim.toolkits import frames
+
+if TYPE_CHECKING:
+    from glshim.control.live import Controls
+
+SHOT = "GLSHIM_SHOT"
+"""`glshim.running.shots.plan.VARIABLE`, which is not loaded but then."""
+LOOKS_AT_THE_PICTURE, DRAWS_OVER_IT, COUNTS = 1, 2, 3
+"""Ranks of the listeners to frame ends; the pipeline draws at 0."""
+NO_STYLE = "none"
+_controls: Controls | None = None
+"""What the keys do, where some are watched."""
+
+
+def begin(folder: str) -> None:
+    """Read the environment and install what it asks for; its paths are relative to the folder.
+    What it asks for wrongly is said in one line each, and the program runs on without it."""
+    settings, complaints = texts.read_environment(os.environ, folder)
+    for complaint in complaints:
+        say(complaint)
+    wishes, complaints = keys.read_environment(os.environ, folder)
+    for complaint in complaints:
+        say(complaint)
+    shot = None
+    if SHOT in os.environ:
+        from glshim.running.shots.plan import Plan
+        from glshim.running.shots.shooter import Shot
+
+        shot = Shot(Plan.of_text(os.environ[SHOT]))
+        shot.prepare()
+    if settings.style is not None or wishes is not None:
+        _install(settings.style or NO_STYLE, folder, live=wishes is not None)
+    if shot is not None:
+        shot.begin()
+    if settings.capture is not None:
+        from glshim.outputs.gl.framegrab import FrameWriter
+
+        writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
+        frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
+    if wishes is not None:
+        _watch_keys(wishes, settings.style, folder)
+    if stillness.VARIABLE in os.environ:
+        stillness.count_frames()
+    if settings.frames is not None:
+        FrameLimit(settings.frames).install()
+
+
+def _install(style: str, folder: str, *, live: bool) -> None:
+    reloader = Reloader(style, folder, _switch)
+    # A file is followed from the start: a style that is saved later knows what was drawn before.
+    live = live or reloader.watches
+    try:
+        styler = reloader.begin()
+    except GlshimError as error:
+        say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
+        if not live:
+            return
+        styler = texts.parse_style(NO_STYLE)
+    try:
+        from glshim import pipeline
+
+        pipeline.install(styler, live=live)
+    except Exception as error:  # the frames asked for still come, and the end
+        say_fault("cannot install the style, the program runs unstyled", error)
+    else:
+        reloader.install()
+
+
+def _switch(styler: Styler) -> None:
+    """The style's file was saved: where keys may have chosen another style they decide."""
+    if _controls is not None:
+        _controls.renew(styler)
+        return
+    from glshim import pipeline
+
+    pipeline.switch(styler)
+
+
+def _watch_keys(wishes: keys.LiveSettings, style: str | None, folder: str) -> None:
+    global _controls
+    try:
+        from glshim.control.live import Controls
+        from glshim.toolkits import keyboard, keyboards
+
+        _controls = Controls(wishes, style, folder)
+        keyboards.watch()
+        keyboard.listen(_controls)
+        frames.install(_controls.frame_ends, rank=DRAWS_OVER_IT)
+    except Exception as error:
+        say_fault("cannot watch the keys, the program runs on without them", error)
+
+
+class FrameLimit:
+    """Ends the program once so many frames were presented."""
+
+    def __init__(self, frames_left: int) -> None:
+        self._left = frames_left
+
+    def install(self) -> None:
+        frames.install(self._before, self._count, rank=COUNTS)
+
+    def _before(self) -> None:
+        pass
+
+    def _count(self) -> None:
+        self._left -= 1
+        if self._left <= 0:
+            frames.end_program()

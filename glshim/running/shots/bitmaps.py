@@ -1,0 +1,63 @@
+"""Bitmaps magnified: each of their pixels becomes a block of the picture's."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.outputs.gl.driver import gl, integer
+
+_UNPACK = {
+    name: (value, plain)
+    for name, value, plain in (
+        ("lsb", 0x0CF1, 0), ("row_length", 0x0CF2, 0), ("skip_rows", 0x0CF3, 0),
+        ("skip_pixels", 0x0CF4, 0), ("alignment", 0x0CF5, 1),
+    )
+}  # fmt: skip
+_UNPACK_BUFFER_BINDING, _UNPACK_BUFFER = 0x88EF, 0x88EC
+Bits = NDArray[np.uint8]
+"""(height, width), 0 or 1, the lowest row first."""
+
+
+def read(width: int, height: int, address: int) -> Bits | None:
+    """The bits that glBitmap would take from an address; None for those in a buffer object."""
+    if integer(_UNPACK_BUFFER_BINDING):
+        return None
+    state = {name: integer(value) for name, (value, _) in _UNPACK.items()}
+    row = state["row_length"] or width
+    row_bytes, step = (row + 7) // 8, state["alignment"]
+    stride = (row_bytes + step - 1) // step * step
+    start = address + state["skip_rows"] * stride
+    raw = np.frombuffer(ctypes.string_at(start, stride * height), np.uint8).reshape(height, stride)
+    order: Any = "little" if state["lsb"] else "big"
+    bits: Bits = np.unpackbits(raw, axis=1, bitorder=order)
+    return bits[:, state["skip_pixels"] : state["skip_pixels"] + width]
+
+
+def magnified(bits: Bits, across: float, up: float) -> Bits:
+    """Bits drawn larger."""
+    height, width = bits.shape
+    size = max(round(height * up), 1), max(round(width * across), 1)
+    rows = (np.arange(size[0]) + 0.5) * height // size[0]
+    columns = (np.arange(size[1]) + 0.5) * width // size[1]
+    found: Bits = bits[rows.astype(int)][:, columns.astype(int)]
+    return found
+
+
+def draw(bits: Bits, origin: tuple[float, float], move: tuple[float, float]) -> None:
+    """glBitmap of bits, whatever unpack state the program has set."""
+    before = {value: integer(value) for value, _ in _UNPACK.values()}
+    buffer = integer(_UNPACK_BUFFER_BINDING)
+    if buffer:
+        gl.glBindBuffer(_UNPACK_BUFFER, 0)
+    for value, plain in _UNPACK.values():
+        gl.glPixelStorei(value, plain)
+    packed = np.packbits(bits, axis=1).tobytes()
+    gl.glBitmap(bits.shape[1], bits.shape[0], *origin, *move, packed)
+    for value, number in before.items():
+        gl.glPixelStorei(value, number)
+    if buffer:
+        gl.glBindBuffer(_UNPACK_BUFFER, buffer)

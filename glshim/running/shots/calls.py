@@ -1,0 +1,348 @@
+"""The GL calls that mean something else while a tile is drawn: what speaks of pixels of the window
+is said to the driver in pixels of the tile, and answered in those of the window.
+
+They stand below every other hook (`RawLayer.ground`), so that all that the shim itself reads from
+the driver is of the tile.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from glshim.bindings.pyopengl import forward
+from glshim.bindings.pyopengl.raw import Call
+from glshim.notices import say_once
+from glshim.outputs.gl.driver import gl, integer
+from glshim.running.shots import bitmaps
+from glshim.running.shots.mapping import Mapping
+from glshim.running.shots.target import BOTH, COLOUR_AT, DRAW, DRAW_BINDING, READ_BINDING, Target
+from glshim.spec.driver import SIGNATURES
+
+SIGNATURES.update(
+    {
+        "glPointSize": "f", "glPixelZoom": "ff", "glBitmap": "iiffffp", "glLineStipple": "iu",
+        "glWindowPos3f": "fff",
+    }
+)  # fmt: skip
+
+_VIEWPORT, _SCISSOR_BOX, _LINE_WIDTH, _POINT_SIZE = 0x0BA2, 0x0C10, 0x0B21, 0x0B11
+_STIPPLE_REPEAT, _STIPPLE, _ZOOM, _RASTER_PLACE = 0x0B26, 0x0B25, (0x0D16, 0x0D17), 0x0B07
+_DRAW_BUFFER, _READ_BUFFER, _DOUBLE_BUFFER = 0x0C01, 0x0C02, 0x0C32
+_MOST_STIPPLE = 256
+_WIDTHS = 0x846E  # of aliased lines: least and greatest
+
+
+class Surface(Protocol):
+    """A tile being drawn."""
+
+    mapping: Mapping
+    target: Target
+    home: int
+    """The framebuffer that the target stands for."""
+    buffers: dict[int, int]
+    """What the program thinks glDrawBuffer and glReadBuffer to be, by their names."""
+    double: bool
+
+
+class Calls:
+    """Makes the hooks. One a shot."""
+
+    def __init__(
+        self,
+        current: Callable[[], Surface | None],
+        ahead: Callable[[], Mapping | None],
+        settle: Callable[[], None],
+    ) -> None:
+        """current: the tile that is drawn in the current context, if one is; ahead: the mapping of
+        shots to come, for what goes into display lists before; settle: called before anything that
+        may be the first call of a frame."""
+        self._current, self._ahead, self._settle = current, ahead, settle
+
+    def maker(self, name: str) -> Callable[[Call], Call] | None:
+        """The hook for a name, if it has one."""
+        plain = name.removesuffix("ARB").removesuffix("EXT")
+        change = {
+            "glViewport": self._rect, "glScissor": self._rect,
+            "glLineWidth": self._length, "glPointSize": self._length,
+            "glLineStipple": self._stipple, "glPixelZoom": self._zoom, "glBitmap": self._bitmap,
+            "glBindFramebuffer": self._bind, "glDrawBuffer": self._buffer,
+            "glReadBuffer": self._buffer, "glDrawBuffers": self._buffers,
+            "glReadPixels": self._reading, "glCopyTexImage1D": self._reading,
+            "glCopyTexImage2D": self._reading, "glCopyTexSubImage1D": self._reading,
+            "glCopyTexSubImage2D": self._reading, "glCopyTexSubImage3D": self._reading,
+            "glCopyPixels": self._copy, "glBlitFramebuffer": self._blit, "glAccum": self._accum,
+            "glClear": self._first, "glMatrixMode": self._first, "glLoadIdentity": self._first,
+        }.get(plain)  # fmt: skip
+        if plain.startswith("glWindowPos"):
+            change = self._window_place
+        if change is not None:
+            return lambda real: lambda *args: change(plain, real, args)
+        element: Any = _ELEMENTS.get(name)
+        if element is not None:
+            return lambda real: lambda *args: self._asked(element, real, args)
+        return None
+
+    # -- what is said ----------------------------------------------------------------------------
+
+    def _mapping(self) -> Mapping | None:
+        """The mapping for a call that is about the window, None for one about something else."""
+        if forward.list_open():
+            return self._ahead()
+        self._settle()
+        now = self._current()
+        if now is None or integer(DRAW_BINDING) != now.target.name:
+            return None
+        return now.mapping
+
+    def _first(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        return real(*args)
+
+    def _rect(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 4:
+            return real(*args)
+        return real(*mapping.rect([int(a) for a in args]))
+
+    def _length(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 1:
+            return real(*args)
+        wanted = mapping.length(float(args[0]))
+        if name == "glLineWidth":
+            told_of_limit(wanted)
+        return real(wanted)
+
+    def _stipple(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 2:
+            return real(*args)
+        return real(min(round(mapping.length(max(int(args[0]), 1))), _MOST_STIPPLE), args[1])
+
+    def _zoom(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 2:
+            return real(*args)
+        return real(float(args[0]) * mapping.across, float(args[1]) * mapping.up)
+
+    def _window_place(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None:
+            return real(*args)
+        values = args[0] if name.endswith("v") else args
+        count = int(name[len("glWindowPos")])
+        x, y, *z = (float(values[k]) for k in range(count))
+        gl.glWindowPos3f(*mapping.place(x, y), z[0] if z else 0.0)
+        return None
+
+    def _bitmap(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 7:
+            return real(*args)
+        width, height = int(args[0]), int(args[1])
+        origin, move = ((float(args[k]) * mapping.across, float(args[k + 1]) * mapping.up)
+                        for k in (2, 4))  # fmt: skip
+        bits, address = None, address_of(args[6])
+        if width > 0 and height > 0 and address:
+            bits = bitmaps.read(width, height, address)
+        if bits is None:
+            return real(width, height, *origin, *move, args[6])
+        bitmaps.draw(bitmaps.magnified(bits, mapping.across, mapping.up), origin, move)
+        return None
+
+    # -- where to --------------------------------------------------------------------------------
+
+    def _bind(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        if now is None or len(args) != 2:
+            return real(*args)
+        target, framebuffer = int(args[0]), int(args[1])
+        before = integer(DRAW_BINDING) == now.target.name
+        result = real(target, now.target.name if framebuffer == now.home else framebuffer)
+        after = integer(DRAW_BINDING) == now.target.name
+        if target in (BOTH, DRAW) and before != after:
+            convert(now.mapping if before else None, now.mapping if after else None)
+        return result
+
+    def _buffer(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        drawing = name == "glDrawBuffer"
+        binding = DRAW_BINDING if drawing else READ_BINDING
+        if now is None or len(args) != 1 or integer(binding) != now.target.name:
+            return real(*args)
+        now.buffers[_DRAW_BUFFER if drawing else _READ_BUFFER] = int(args[0])
+        return real(_attached(int(args[0])))
+
+    def _buffers(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        if now is None or integer(DRAW_BINDING) != now.target.name or int(args[0]) != 1:
+            return real(*args)
+        address = address_of(args[1])
+        asked = ctypes.c_uint.from_address(address).value if address else 0
+        now.buffers[_DRAW_BUFFER] = asked
+        gl.glDrawBuffer(_attached(asked))
+        return None
+
+    # -- what is read ----------------------------------------------------------------------------
+
+    def _reading(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        if now is None or integer(READ_BINDING) != now.target.name:
+            return real(*args)
+        with now.target.as_window(now.mapping):
+            return real(*args)
+
+    def _copy(self, name: str, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or forward.list_open() or len(args) != 5:
+            return real(*args)
+        zoom = [_floats(each, 1)[0] for each in _ZOOM]
+        gl.glPixelZoom(zoom[0] / mapping.across, zoom[1] / mapping.up)
+        try:
+            return real(*mapping.rect([int(a) for a in args[:4]]), args[4])
+        finally:
+            gl.glPixelZoom(*zoom)
+
+    def _blit(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        if now is None or len(args) != 10:
+            return real(*args)
+        corners = [int(a) for a in args[:8]]
+        for at, binding in ((0, READ_BINDING), (4, DRAW_BINDING)):
+            if integer(binding) == now.target.name:
+                for k in (at, at + 2):
+                    corners[k : k + 2] = map(round, now.mapping.place(*corners[k : k + 2]))
+        return real(*corners, *args[8:])
+
+    def _accum(self, name: str, real: Call, args: Any) -> Any:
+        self._settle()
+        if self._current() is None:
+            return real(*args)
+        say_once("a shot has no accumulation buffer: glAccum is left out")
+        return None
+
+    # -- what is asked ---------------------------------------------------------------------------
+
+    def _asked(self, element: Any, real: Call, args: Any) -> Any:
+        result = real(*args)
+        now = self._current()
+        if now is None or len(args) != 2:
+            return result
+        name = int(args[0])
+        answer = self._answers(now).get(name)
+        address = address_of(args[1]) if answer else 0
+        if answer and address:
+            count, change = answer
+            values = (element * count).from_address(address)
+            whole = element not in (ctypes.c_float, ctypes.c_double)
+            for k, value in enumerate(change(list(values))):
+                values[k] = int(value) if whole else value
+        return result
+
+    def _answers(
+        self, now: Surface
+    ) -> dict[int, tuple[int, Callable[[list[Any]], Any]]]:
+        """By name how many values an answer has, and what they are for the program."""
+        found: dict[int, tuple[int, Callable[[list[Any]], Any]]] = {
+            binding: (1, lambda v: [now.home if int(v[0]) == now.target.name else v[0]])
+            for binding in (DRAW_BINDING, READ_BINDING)
+        }
+        for name, binding in ((_DRAW_BUFFER, DRAW_BINDING), (_READ_BUFFER, READ_BINDING)):
+            if name in now.buffers and integer(binding) == now.target.name:
+                found[name] = (1, lambda v, name=name: [now.buffers[name]])  # type: ignore[misc]
+        if integer(DRAW_BINDING) != now.target.name:
+            return found
+        mapping = now.mapping
+
+        def rect(values: list[Any]) -> Any:
+            return mapping.rect_back([round(v) for v in values])
+
+        def length(values: list[Any]) -> Any:
+            return [mapping.length_back(float(values[0]))]
+
+        found |= {
+            _VIEWPORT: (4, rect), _SCISSOR_BOX: (4, rect),
+            _LINE_WIDTH: (1, length), _POINT_SIZE: (1, length),
+            _STIPPLE_REPEAT: (1, lambda v: [max(round(v[0] / mapping.scale), 1)]),
+            _ZOOM[0]: (1, lambda v: [v[0] / mapping.across]),
+            _ZOOM[1]: (1, lambda v: [v[0] / mapping.up]),
+            _RASTER_PLACE: (4, lambda v: [*mapping.place_back(v[0], v[1]), *v[2:]]),
+            _DOUBLE_BUFFER: (1, lambda v: [int(now.double)]),
+        }  # fmt: skip
+        return found
+
+
+_ELEMENTS = {
+    "glGetIntegerv": ctypes.c_int, "glGetFloatv": ctypes.c_float, "glGetDoublev": ctypes.c_double,
+    "glGetBooleanv": ctypes.c_ubyte,
+}  # fmt: skip
+
+
+def convert(before: Mapping | None, after: Mapping | None) -> None:
+    """Say the state that is in pixels anew: it was the driver's under one mapping (None: the
+    program's own numbers) and shall be under another. The driver's current framebuffer stays."""
+    for name, say in ((_VIEWPORT, gl.glViewport), (_SCISSOR_BOX, gl.glScissor)):
+        values = (ctypes.c_int * 4)()
+        gl.glGetIntegerv(name, ctypes.addressof(values))
+        own = before.rect_back(list(values)) if before else tuple(values)
+        say(*(after.rect(own) if after else own))
+    for name, say in ((_LINE_WIDTH, gl.glLineWidth), (_POINT_SIZE, gl.glPointSize)):
+        value = _floats(name, 1)[0]
+        length = before.length_back(value) if before else value
+        if after and name == _LINE_WIDTH:
+            told_of_limit(after.length(length), asked=length != 1.0)
+        say(after.length(length) if after else length)
+    repeat, pattern = integer(_STIPPLE_REPEAT), integer(_STIPPLE)
+    repeat = max(round(repeat / before.scale), 1) if before else repeat
+    repeat = min(round(repeat * after.scale), _MOST_STIPPLE) if after else repeat
+    gl.glLineStipple(max(repeat, 1), pattern & 0xFFFF)
+    x, y = (_floats(name, 1)[0] for name in _ZOOM)
+    if before:
+        x, y = x / before.across, y / before.up
+    if after:
+        x, y = x * after.across, y * after.up
+    gl.glPixelZoom(x, y)
+
+
+def told_of_limit(width: float, *, asked: bool = True) -> None:
+    """Say once when this GL has no lines of a width."""
+    most = _floats(_WIDTHS, 2)[1]
+    if asked and width > most:
+        say_once(f"this GL has lines of {most:g} pixels at most: the program's own stay thinner")
+
+
+def address_of(argument: Any) -> int:
+    """Where a pointer-like argument of a raw call points to, 0 for nowhere or unknown."""
+    if argument is None or isinstance(argument, int):
+        return argument or 0
+    if isinstance(argument, bytes):
+        return ctypes.cast(ctypes.c_char_p(argument), ctypes.c_void_p).value or 0
+    interface = getattr(argument, "ctypes", None)
+    if interface is not None:
+        return int(interface.data)
+    if isinstance(argument, (ctypes.Array, ctypes._SimpleCData)):
+        if isinstance(argument, (ctypes.c_void_p, ctypes.c_char_p)):
+            return ctypes.cast(argument, ctypes.c_void_p).value or 0
+        return ctypes.addressof(argument)
+    if isinstance(argument, ctypes._Pointer):
+        return ctypes.cast(argument, ctypes.c_void_p).value or 0
+    referred = getattr(argument, "_obj", None)  # byref
+    return ctypes.addressof(referred) if referred is not None else 0
+
+
+def _attached(buffer: int) -> int:
+    """The target's buffer for one of the window: none stays none."""
+    return COLOUR_AT if buffer else 0
+
+
+def _floats(name: int, count: int) -> list[float]:
+    values = (ctypes.c_float * count)()
+    gl.glGetFloatv(name, ctypes.addressof(values))
+    return list(values)

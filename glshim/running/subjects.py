@@ -1,0 +1,98 @@
+"""What `glshim gallery` and `glshim shot` are asked to show: a script, a module or a model."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from glshim.errors import EnvironmentFault, StyleError
+from glshim.running import stillness
+from glshim.styling import texts
+
+VIEWER = "demo_apps.viewer"
+_SHAPES = "demo_apps.shapes"
+_MODELS = (".obj", ".ply", ".stl", ".gltf", ".glb")
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A program to start."""
+
+    title: str
+    """For people."""
+    command: tuple[str, ...]
+    """What follows ``python`` on a command line."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments that name a subject. Options may stand anywhere; those of the program's own
+    come after ``--``."""
+    parser.add_argument("-m", dest="module", metavar="MODULE", help="show a module's program")
+    parser.add_argument(
+        "subject", nargs="*", metavar="SCRIPT | MODEL",
+        help="a script, or a model (OBJ, PLY, STL, glTF or a built-in shape); then its arguments, "
+        "after -- where they begin with a dash",
+    )  # fmt: skip
+    parser.add_argument(
+        "--frame", default="3", metavar="N", help="which frame is shown (default: %(default)s)"
+    )
+
+
+def subject_of(asked: argparse.Namespace) -> Subject:
+    """The subject of parsed arguments. Raises `EnvironmentFault` when there is no such thing."""
+    if asked.module is not None:
+        return Subject(asked.module, ("-m", asked.module, *asked.subject))
+    if not asked.subject:
+        raise EnvironmentFault("name what to show: a script, -m MODULE, or a model")
+    name, *arguments = asked.subject
+    path = Path(name)
+    if path.suffix.lower() in _MODELS or (name in _shapes() and not path.exists()):
+        if path.suffix and not path.is_file():
+            raise EnvironmentFault(f"there is no model {name}")
+        if importlib.util.find_spec(VIEWER.partition(".")[0]) is None:
+            raise EnvironmentFault(f"models are shown by {VIEWER}, which is not installed")
+        return Subject(path.name, ("-m", VIEWER, "--wait", name, *arguments))
+    if not path.exists():
+        raise EnvironmentFault(
+            f"there is no file {name}, and no built-in shape of that name: {', '.join(_shapes())}"
+        )
+    return Subject(path.name, (name, *arguments))
+
+
+def frame_of(asked: argparse.Namespace) -> int:
+    """The number of the frame asked for, from 1. Raises `StyleError`."""
+    return texts.parse_frames(asked.frame)
+
+
+def style_variable(text: str) -> str:
+    """A style's text, checked, as `GLSHIM_STYLE` takes it from any folder. Raises `StyleError`."""
+    if not text.strip():
+        raise StyleError("a style has a name: see glshim styles")
+    texts.parse_style(text)
+    return str(Path(text).absolute()) if text.endswith(".toml") else text
+
+
+def surroundings(environ: Mapping[str, str]) -> dict[str, str]:
+    """An environment on a virtual screen, for a run whose picture can be compared with others':
+    clocks and luck stand still, toolkits take that screen and make no sound."""
+    return {
+        **{name: text for name, text in environ.items() if not name.startswith("GLSHIM_")},
+        stillness.VARIABLE: "1",
+        "PYTHONHASHSEED": "0",
+        "QT_QPA_PLATFORM": "xcb",
+        "SDL_VIDEODRIVER": "x11",
+        "SDL_AUDIODRIVER": "dummy",
+        "PYGAME_HIDE_SUPPORT_PROMPT": "1",
+    }
+
+
+def _shapes() -> tuple[str, ...]:
+    try:
+        from importlib import import_module
+
+        return tuple(import_module(_SHAPES).SHAPES)
+    except ImportError:
+        return ()

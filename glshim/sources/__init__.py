@@ -1,0 +1,1 @@
+"""Where polygons and cameras come from: the app's calls become layers, scene by scene."""

@@ -1,0 +1,1 @@
+"""The fixed-function pipeline: immediate mode, arrays, display lists, feedback."""

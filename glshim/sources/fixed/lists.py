@@ -1,0 +1,358 @@
+"""Display lists as programs: what was compiled, and the polygons that a call of it draws.
+
+A list is kept as the stream that was recorded while it was open. When it is called, nested lists
+and matrix calls are resolved into polygons in the caller's object space; that is kept until a list
+is redefined. Shapes that C code drew into it are asked for again then, through feedback mode (on
+the function, not on the list: Mesa 22.3 crashes when some lists are called in feedback mode).
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import count
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from glshim.model.batch import POSITIONS, PolygonBatch, Wanted
+from glshim.model.transforms import MATRIX_CALLS
+from glshim.sources.fixed import normals
+from glshim.sources.fixed.immediate import assemble_many, concatenate, transformed
+from glshim.spec.shapes import Shape
+
+_DEPTH_TEST, _MODELVIEW = 0x0B71, 0x1700
+_FILL = 0x1B02
+_NESTING = 64
+_serial = count()
+_CURRENT_BIT = 0x1
+_ID_TYPES = {
+    0x1400: np.int8, 0x1401: np.uint8, 0x1402: np.int16, 0x1403: np.uint16, 0x1404: np.int32,
+    0x1405: np.uint32, 0x1406: np.float32,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Primitive:
+    """A recorded glBegin/glEnd pair."""
+
+    mode: int
+    stream: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """Lists called from a list."""
+
+    names: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A matrix call or a switch, by its name and arguments."""
+
+    name: str
+    args: tuple[Any, ...]
+
+    @classmethod
+    def of(cls, name: str, args: tuple[Any, ...]) -> Change:
+        """With matrices copied: the app may change its array."""
+        if "Matrix" in name and len(args) == 1 and name != "glMatrixMode":
+            args = (_matrix(name, args[0]),)
+        return cls(name, args)
+
+
+@dataclass(frozen=True, slots=True)
+class Bare:
+    """Said outside any glBegin of this list: attributes, which hold on, and vertices, which are
+    legal when it is called inside one."""
+
+    stream: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """A primitive that the list begins and leaves open."""
+
+    mode: int
+    stream: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Closing:
+    """glEnd of a primitive that the list did not begin."""
+
+
+Item = Primitive | Call | Change | Shape | Bare | Opening | Closing | PolygonBatch
+ShapePolygons = Callable[[Shape], PolygonBatch | None]
+"""Polygons of a shape, found again by key or drawn in feedback mode."""
+
+
+@dataclass(slots=True)
+class Program:
+    """What one list holds."""
+
+    items: list[Item] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class ListPolygons:
+    """What calling a list draws."""
+
+    relative: PolygonBatch | None
+    """In the caller's object space."""
+    absolute: tuple[tuple[PolygonBatch, NDArray[np.float64]], ...] = ()
+    """Under a modelview matrix that the list loads by itself."""
+
+
+class ListBook:
+    """The lists of one share group."""
+
+    def __init__(self, wanted: Wanted = POSITIONS) -> None:
+        self.wanted = wanted
+        """What batches shall come with; may change between calls of lists."""
+        self._programs: dict[int, Program] = {}
+        self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
+        self._open: tuple[int, Program] | None = None
+
+    @property
+    def open(self) -> Program | None:
+        """The program being compiled."""
+        return self._open[1] if self._open else None
+
+    def begin(self, name: int) -> None:
+        """glNewList."""
+        self._open = (name, Program())
+
+    def end(self) -> int | None:
+        """glEndList: the list takes effect. Its name."""
+        if self._open is None:
+            return None
+        name, program = self._open
+        self._programs[name] = program
+        self._changed({name})
+        self._open = None
+        return name
+
+    def _changed(self, names: set[int]) -> None:
+        """What was resolved through one of these lists no longer holds."""
+        stale = [at for at, (_, used) in self._resolved.items() if not used.isdisjoint(names)]
+        for at in stale:
+            del self._resolved[at]
+
+    def _reach(self, name: int) -> set[int]:
+        """The list and all that it calls, whether they exist or not."""
+        reached: set[int] = set()
+        waiting = [name]
+        while waiting:
+            each = waiting.pop()
+            if each not in reached:
+                reached.add(each)
+                program = self._programs.get(each)
+                for item in program.items if program is not None else ():
+                    if isinstance(item, Call):
+                        waiting += item.names
+        return reached
+
+    def redefined_elsewhere(self, name: int) -> None:
+        """Another context, which may share lists with ours, compiled this list."""
+        if name not in self._programs:
+            self._changed({name})
+
+    def items(self, name: int, depth: int = 0) -> Iterator[Item]:
+        """What the list says, nested lists included."""
+        program = self._programs.get(name)
+        if program is None:  # perhaps one that we did not see: it may set the normal
+            yield Bare(normals.UNKNOWN)
+            return
+        if depth > _NESTING:
+            return
+        for item in program.items:
+            if isinstance(item, Call):
+                for called in item.names:
+                    yield from self.items(called, depth + 1)
+            else:
+                yield item
+
+    def leaves_open(self, name: int) -> bool:
+        """Whether calling the list ends inside a primitive that it began."""
+        found = False
+        for item in self.items(name):
+            found = isinstance(item, Opening) or (found and not isinstance(item, Closing))
+        return found
+
+    def knows(self, name: int) -> bool:
+        """Whether the list was seen being compiled."""
+        return name in self._programs
+
+    def forget(self, first: int, count: int) -> None:
+        """glDeleteLists."""
+        if count > len(self._programs):
+            gone = [n for n in self._programs if first <= n < first + count]
+        else:
+            gone = [n for n in range(first, first + count) if n in self._programs]
+        for name in gone:
+            del self._programs[name]
+        self._changed(set(gone))
+
+    def polygons(
+        self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
+    ) -> ListPolygons:
+        """What calling this list draws, with keys so that caches find it again."""
+        at = (name, matrix_mode, self.wanted)
+        known = self._resolved.get(at)
+        if known is None:
+            found = self._resolve(name, matrix_mode, shapes, context)
+            known = self._resolved[at] = (found, frozenset(self._reach(name)))
+        return known[0]
+
+    def _resolve(
+        self, name: int, matrix_mode: int, shapes: ShapePolygons, context: int
+    ) -> ListPolygons:
+        key = ("list", context, name, next(_serial))
+        walk = _Walk(matrix_mode, shapes, self.wanted)
+        walk.run(self.items(name))
+        relative = [b for b, _, loaded in walk.found if not loaded]
+        absolute = tuple(
+            (concatenate([b], (*key, i)), m)
+            for i, (b, m, loaded) in enumerate(walk.found)
+            if loaded
+        )
+        if not relative:
+            return ListPolygons(None, absolute)
+        return ListPolygons(concatenate(relative, key), absolute)
+
+
+class _Walk:
+    """Runs a list as the driver would, following matrices and the switches that matter."""
+
+    def __init__(self, matrix_mode: int, shapes: ShapePolygons, wanted: Wanted) -> None:
+        self._wanted = wanted
+        self._normal = normals.UNKNOWN if wanted.normals else b""
+        """The record of the normal that holds; the caller's is not known."""
+        self.found: list[tuple[PolygonBatch, NDArray[np.float64], bool]] = []
+        self._shapes = shapes
+        self._mode = matrix_mode
+        self._matrix = np.eye(4)
+        self._loaded = False
+        self._stack: list[tuple[NDArray[np.float64], bool]] = []
+        self._switches: dict[str, bool] = {"depth": True, "fill": True, "write": True}
+        self._attributes: list[tuple[dict[str, bool], bytes | None]] = []
+        self._pending: list[tuple[int, bytes]] = []
+
+    def run(self, items: Iterable[Item]) -> None:
+        for item in items:
+            if isinstance(item, Primitive):
+                self._pending.append((item.mode, self._normal + item.stream))
+                self._say(item.stream)
+                continue
+            self._emit()
+            if isinstance(item, PolygonBatch):
+                self._draw(item)
+            elif isinstance(item, (Bare, Opening)):
+                self._say(item.stream)
+            elif isinstance(item, Change):
+                self._change(item)
+            elif isinstance(item, Shape):
+                batch = self._shapes(item)
+                if batch is not None:
+                    self._take(batch)
+                self._forget()
+        self._emit()
+
+    def _say(self, stream: bytes) -> None:
+        if self._wanted.normals:
+            self._normal = normals.after(stream, self._normal)
+
+    def _forget(self) -> None:
+        """Something has set a normal that is not known."""
+        if self._wanted.normals:
+            self._normal = normals.UNKNOWN
+
+    def _draw(self, batch: PolygonBatch) -> None:
+        """Arrays: without normals of their own they have the one that holds; with some, that is
+        undefined afterwards (OpenGL 2.1, section 2.8)."""
+        if not self._wanted.normals:
+            batch = replace(batch, normals=None)
+        elif batch.normals is None:
+            batch = normals.throughout(batch, self._normal)
+        elif batch.normals is not None:
+            self._forget()
+        self._take(batch)
+
+    def _emit(self) -> None:
+        if self._pending:
+            batch = assemble_many(self._pending, wanted=self._wanted)
+            self._pending = []
+            self._take(batch)
+
+    def _take(self, batch: PolygonBatch) -> None:
+        on = self._switches
+        if not (on["depth"] and on["fill"] and on["write"]) or not len(batch.corners):
+            return
+        if not self._loaded:
+            batch = transformed(batch, self._matrix)
+        self.found.append((batch, self._matrix, self._loaded))
+
+    def _change(self, change: Change) -> None:
+        name, args = change.name, change.args
+        if name == "glMatrixMode":
+            self._mode = int(args[0])
+        elif name in MATRIX_CALLS or name in ("glPushMatrix", "glPopMatrix"):
+            if self._mode == _MODELVIEW:
+                self._move(name, args)
+        elif name == "glPushAttrib":
+            kept = self._normal if int(args[0]) & _CURRENT_BIT else None
+            self._attributes.append((dict(self._switches), kept))
+        elif name == "glPopAttrib":
+            if self._attributes:
+                self._switches, kept = self._attributes.pop()
+                self._normal = self._normal if kept is None else kept
+        elif name in ("glEnable", "glDisable"):
+            if int(args[0]) == _DEPTH_TEST:
+                self._switches["depth"] = name == "glEnable"
+        elif name == "glDepthMask":
+            self._switches["write"] = bool(args[0])
+        elif name == "glPolygonMode":
+            self._switches["fill"] = int(args[1]) == _FILL
+
+    def _move(self, name: str, args: tuple[Any, ...]) -> None:
+        if name == "glPushMatrix":
+            self._stack.append((self._matrix, self._loaded))
+        elif name == "glPopMatrix":
+            if self._stack:
+                self._matrix, self._loaded = self._stack.pop()
+        else:
+            matrix, loads = MATRIX_CALLS[name](*args)
+            self._matrix = matrix if loads else self._matrix @ matrix
+            self._loaded = self._loaded or loads
+
+
+def _matrix(name: str, value: Any) -> list[float]:
+    from OpenGL import arrays
+
+    double = name.endswith("d")
+    kind = arrays.GLdoubleArray if double else arrays.GLfloatArray
+    element = ctypes.c_double if double else ctypes.c_float
+    return list((element * 16).from_address(int(kind.dataPointer(value))))
+
+
+def list_names(name: str, args: Sequence[Any], base: int) -> tuple[int, ...]:
+    """The lists that a LIST_CALL entry point calls; `base` is GL_LIST_BASE."""
+    if name == "glCallList":
+        return (int(args[0]),)
+    count, type_, pointer = int(args[0]), int(args[1]), args[2]
+    dtype = _ID_TYPES.get(type_)
+    if dtype is None or count <= 0:
+        return ()
+    from OpenGL.arrays import ArrayDatatype
+
+    address = (
+        pointer.value
+        if isinstance(pointer, ctypes.c_void_p)
+        else ArrayDatatype.voidDataPointer(pointer).value
+    )
+    raw = ctypes.string_at(int(address or 0), count * np.dtype(dtype).itemsize)
+    return tuple(int(i) + base for i in np.frombuffer(raw, dtype))

@@ -1,0 +1,225 @@
+"""Style texts, style files and the GLSHIM_* environment, each to one checked value."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from glshim.errors import StyleError, UnknownNameError
+from glshim.styling import fromfile, registry
+from glshim.styling.protocol import Styler, options_of
+from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file, unknown
+from stylers.looks import looks
+
+STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
+FILE = ".toml"
+
+def parse_style(
+    text: str, folder: str = "", files: list[Path] | None = None, chain: tuple[Path, ...] = ()
+) -> Styler:
+    """A name, the path of a style file (TOML), or a class in a Python file, the first and the last
+    with options after it: ``name:key=value,key=value``, ``my_style.py:MyStyle:key=value``. A name
+    is a style's, or a look's: that of a style file that comes with glshim. Paths in a text are
+    taken from the folder, those in a file from where that lies.
+
+    files: gets every file that the style depends on, also those of a text that does not hold up.
+    chain: the style files that extend this text, the outermost first.
+    Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
+    """
+    text = text.strip()
+    files = [] if files is None else files
+    if not text.isprintable():
+        raise StyleError(f"{text!r} is no style: it holds characters that are not printable")
+    if text.endswith(FILE):
+        return load_style(Path(folder, text), files, chain)
+    if fromfile.is_named_in(text):
+        path, name, assignments = fromfile.split(text)
+        styler = _load(f"{path}:{name}", folder, files)()
+    else:
+        name, _, assignments = text.partition(":")
+        look = looks().get(name.strip())
+        styler = load_style(look, files, chain) if look else _load(name.strip(), folder, files)()
+    pieces = (piece for piece in assignments.split(",") if piece.strip())
+    return _made(styler, dict(_parsed(type(styler), piece, folder) for piece in pieces))
+
+
+def load_style(
+    path: Path, files: list[Path] | None = None, chain: tuple[Path, ...] = ()
+) -> Styler:
+    """A style file: ``style = "raskar"``, or ``extends`` and any style text, and a line for every
+    option that is not what it is there.
+
+    Raises `StyleError` naming the file, and the line where there is one.
+    """
+    files = [] if files is None else files
+    files.append(path)
+    file = read_style_file(path)
+    key, name = file.base
+    if key == EXTENDS:
+        chain = (*chain, path)
+        if any(_same(Path(file.folder, name), each) for each in chain):
+            raise file.fault((key,), f"extends {name}, which extends this file: a circle")
+        try:
+            base = parse_style(name, file.folder, files, chain)
+        except StyleFileError as error:
+            raise StyleFileError(f"{error} (extended by {path}:{file.line((key,))})") from error
+        except StyleError as error:
+            raise file.fault((key,), str(error)) from error
+    else:
+        try:
+            base = _load(name, file.folder, files)()
+        except StyleError as error:
+            raise file.fault((key,), str(error)) from error
+    try:
+        return _made(base, file.options(type(base)))
+    except StyleFileError:
+        raise
+    except StyleError as error:  # values that are fine alone
+        raise StyleFileError(f"{path}: {error}") from error
+
+
+def anchored(text: str, folder: str) -> str:
+    """A style text whose path, if it begins with one, is taken from the folder."""
+    return os.path.join(folder, text) if is_path(text) else text
+
+
+def is_path(text: str) -> bool:
+    """Whether a style text is a style file, or begins with a Python file."""
+    return text.endswith(FILE) or fromfile.is_named_in(text)
+
+
+def _same(one: Path, other: Path) -> bool:
+    return os.path.realpath(one) == os.path.realpath(other)
+
+
+def _made(styler: Styler, values: Mapping[str, Any]) -> Styler:
+    try:
+        return replace(styler, **values)
+    except StyleError:
+        raise
+    except Exception as error:  # the constructor of somebody's styler
+        line = " ".join(str(error).splitlines())
+        raise StyleError(
+            f"style {styler.name!r} does not take these options: {type(error).__name__}: {line}"
+        ) from error
+
+
+def _load(name: str, folder: str, files: list[Path]) -> type[Styler]:
+    """A class by its name, or by that of a Python file and its own."""
+    if fromfile.is_named_in(name):
+        path, word, assignments = fromfile.split(name)
+        whole = Path(folder, path)
+        files.extend(fromfile.watched(whole))
+        if assignments:
+            raise StyleError(f"{name}: the options have lines of their own in a style file")
+        return fromfile.load(whole, word)
+    try:
+        return registry.load(name)
+    except UnknownNameError as error:
+        if name in looks():
+            raise StyleError(f'{name} is a look: write {EXTENDS} = "{name}"') from error
+        if os.path.isfile(name):  # (never raises, unlike Path's)
+            raise StyleError(
+                f"{name} is a file: a style file is given alone, as NAME.toml"
+            ) from error
+        known = (*registry.names(), *looks())
+        raise unknown(f"no style is called {name!r}", name, known) from error
+
+
+def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:
+    key, equals, value = (part.strip() for part in piece.partition("="))
+    option = find(styler, (key,))
+    if not equals:
+        raise StyleError(f"{key} has no value: write {key}={option.show(option.default)}")
+    return key, option.parse(value, folder)
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the environment asks for; None where it asks for nothing."""
+
+    style: str | None = None
+    frames: int | None = None
+    """End the program after so many presented frames."""
+    capture: str | None = None
+    """Where to write each frame: an absolute path with one ``%d`` for its number, or none."""
+
+
+def parse_frames(text: str) -> int:
+    """A whole number of frames, at least 1. Raises `StyleError`."""
+    if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
+        raise StyleError(f"{text!r} is no number of frames: give a whole number from 1")
+    return int(text)
+
+
+def parse_capture(text: str, folder: str = "") -> str:
+    """A file name, made absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
+    rest = re.sub("%0?[0-9]*d", "", text, count=1)
+    if "%" in rest or not text.lower().endswith(".png"):
+        raise StyleError(
+            f"{text!r} is no file name for frames: it ends in .png "
+            "and holds one %d or %03d, or none, for the frame's number"
+        )
+    return os.path.abspath(os.path.join(folder, text))
+
+
+def read_environment(
+    environ: Mapping[str, str], folder: str = ""
+) -> tuple[Settings, tuple[str, ...]]:
+    """The settings, and a line for each variable that cannot be used (and then counts as unset).
+    Relative paths are taken from the folder.
+
+    The style's text is not parsed here: that loads stylers.
+    """
+    complaints: list[str] = []
+
+    def read(variable: str, parse: Any, consequence: str) -> Any:
+        text = environ.get(variable, "")
+        if not text.strip():
+            return None
+        try:
+            return parse(text)
+        except StyleError as error:
+            complaints.append(f"{variable}: {error}; {consequence}")
+            return None
+
+    style = environ.get(STYLE, "").strip()
+    settings = Settings(
+        style=anchored(style, folder) or None,
+        frames=read(FRAMES, parse_frames, "the program runs on without an end"),
+        capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
+    )
+    return settings, tuple(complaints)
+
+
+def describe_look(name: str) -> str:
+    """A look for people: the first line of its file, and the text that says the same."""
+    path = looks()[name]
+    styler = load_style(path)
+    summary = path.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ")
+    changed = (
+        f"{o.name}={o.show(getattr(styler, o.name))}"
+        for o in options_of(type(styler))
+        if getattr(styler, o.name) != o.default
+    )
+    return f"{name}: {summary}\n  {styler.name}:{','.join(changed)}"
+
+
+def describe(styler: type[Styler]) -> str:
+    """A style for people: its first line of documentation and a line for each option."""
+    summary = (styler.__doc__ or "").strip().splitlines()
+    lines = [f"{styler.name}: {summary[0]}" if summary else styler.name]
+    options = options_of(styler)
+    widths = [
+        max((len(text) for text in column), default=0)
+        for column in zip(*((o.name, o.show(o.default), o.allowed) for o in options), strict=True)
+    ]
+    for option in options:
+        cells = (option.name, option.show(option.default), option.allowed)
+        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
+        lines.append(f"  {'  '.join(padded)}  {option.help}")
+    return "\n".join(lines)

@@ -1,0 +1,57 @@
+"""Which lines a style wants, as plain values: linework finds them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Pattern:
+    """What repeats along strokes."""
+
+    lengths: tuple[float, ...]
+    """Pixels after which it repeats on silhouettes, ridges, valleys and intersections; 0: lines
+    of that kind have none."""
+    middle: float = 0.0
+    """Pixels outside an outline's sides at which its length is measured: what counts at corners."""
+    corner: float | None = None
+    """Radians; where a stroke turns by more, a hand lifts the pen, and strokes begin anywhere in
+    the pattern. None: nobody asks (`glshim.linework.hand`)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Which lines a style wants, by what polygons show."""
+
+    silhouettes: bool
+    ridge_angle: float | None
+    """Greatest dihedral angle of a ridge in radians, or None for no ridges."""
+    valley_angle: float | None = None
+    """Dihedral angle in radians above which an edge is a valley, or None for no valleys."""
+    intersections: bool = False
+    connectivity: bool = True
+    """Whether neighbours are looked for. Without, depth alone decides, as in the paper."""
+    pattern: Pattern | None = None
+    """What repeats along strokes (the last floats of a record), or None for plain lines."""
+
+
+@dataclass(frozen=True, slots=True)
+class Features:
+    """Which feature edges a style wants, of the meshes that polygons make."""
+
+    contours: bool
+    ridge_angle: float | None
+    """A ridge's dihedral angle is less, radians; None for no ridges."""
+    valley_angle: float | None
+    """A valley's dihedral angle is more, radians; None for no valleys."""
+    marked: bool = False
+    boundary: bool = False
+    smooth: bool = False
+    """Whether contours on smooth surfaces run through polygons, where interpolated normals are
+    perpendicular to the view, rather than along edges."""
+    suggestive: bool = False
+    """Suggestive contours."""
+    tolerance: float = 0.0
+    """Distance in object units at which positions count as one vertex."""
+    pattern: Pattern | None = None
+    """What repeats along strokes, or None."""
