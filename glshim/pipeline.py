@@ -20,7 +20,8 @@ from glshim.outputs.gl.sheet import SHEET
 from glshim.outputs.gl.surface import Surface
 from glshim.sources.fixed.state import light
 from glshim.sources.follower import Follower
-from glshim.sources.scene import Scene, integer, say_unstyled
+from glshim.sources.scene import Scene, say_unstyled
+from glshim.spec.ask import integer
 from glshim.spec.driver import current_context
 from glshim.styling.protocol import BackFaces, Layer, Styler
 from glshim.toolkits import frames

@@ -17,6 +17,7 @@ from glshim.sources.fixed.immediate import scaled
 from glshim.sources.fixed.lists import Bare, Call, Closing, Item, ListBook, Opening, list_names
 from glshim.sources.fixed.state import DrawState, StateReader, normal, unsupported
 from glshim.sources.layers import LayerCollector
+from glshim.spec.ask import integer
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import current_context, gl
@@ -262,10 +263,3 @@ def _mark() -> int:
 def say_unstyled(why: str) -> None:
     """Once: nothing can be styled in a context."""
     say_once(f"unstyled: {why}; the program runs as it would without a style")
-
-
-def integer(name: int) -> int:
-    """One integer of the driver's state."""
-    value = ctypes.c_int(0)
-    gl.glGetIntegerv(name, ctypes.byref(value))
-    return value.value

@@ -6,6 +6,7 @@ import ctypes
 import re
 from functools import cache
 
+from glshim.spec.ask import integer, text
 from glshim.spec.driver import gl
 
 Version = tuple[int, int]
@@ -26,7 +27,7 @@ _UNITS_NEEDED = 16
 
 def version_text() -> str:
     """What the driver says, empty without a context."""
-    return _text(_VERSION)
+    return text(_VERSION)
 
 
 def version() -> Version | None:
@@ -35,8 +36,8 @@ def version() -> Version | None:
 
 
 @cache
-def _number(text: str) -> Version | None:
-    found = re.match(r"(\d+)\.(\d+)", text)
+def _number(told: str) -> Version | None:
+    found = re.match(r"(\d+)\.(\d+)", told)
     return (int(found[1]), int(found[2])) if found else None
 
 
@@ -73,7 +74,7 @@ def shortcoming() -> str:
         return "OpenGL {}.{} without {}".format(*number, _FRAMEBUFFERS)
     if not _has_fixed_function(number):
         return NO_FIXED_FUNCTION
-    units = _integer(_UNITS)
+    units = integer(_UNITS)
     if units < _UNITS_NEEDED:
         return f"{units} texture units are fewer than the {_UNITS_NEEDED} that lines need"
     return ""
@@ -84,8 +85,8 @@ def _has_fixed_function(number: Version) -> bool:
     if number < (3, 1):
         return True
     if number > (3, 1):
-        return not _integer(_PROFILE_MASK) & 1
-    names = (gl.glGetStringi(_EXTENSIONS, i) for i in range(_integer(_EXTENSION_COUNT)))
+        return not integer(_PROFILE_MASK) & 1
+    names = (gl.glGetStringi(_EXTENSIONS, i) for i in range(integer(_EXTENSION_COUNT)))
     return any(ctypes.string_at(name) == b"GL_ARB_compatibility" for name in names)
 
 
@@ -93,15 +94,4 @@ def _has(since: Version, extension: str) -> bool:
     number = version()
     if number is None:
         return False
-    return number >= since or extension in _text(_EXTENSIONS).split()
-
-
-def _integer(name: int) -> int:
-    value = ctypes.c_int(0)
-    gl.glGetIntegerv(name, ctypes.byref(value))
-    return value.value
-
-
-def _text(name: int) -> str:
-    found = gl.glGetString(name)
-    return ctypes.string_at(found).decode("ascii", "replace") if found else ""
+    return number >= since or extension in text(_EXTENSIONS).split()

@@ -1,7 +1,8 @@
 """The driver's own functions, bare: no PyOpenGL conversion, no error check, no hook.
 
 What the shim itself says to GL goes through here, so it never meets its own hooks, never raises a
-GL error of its own and costs a fifth of a PyOpenGL call. A signature is a row of letters.
+GL error of its own and costs a fifth of a PyOpenGL call. Signatures are data
+(`glshim.spec.signatures`).
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable
 from typing import Any
+
+from glshim.spec.signatures import SIGNATURES
 
 _LETTERS: dict[str, Any] = {
     "i": ctypes.c_int,
@@ -19,44 +22,6 @@ _LETTERS: dict[str, Any] = {
     "p": ctypes.c_void_p,
     "n": ctypes.c_ssize_t,
 }
-
-SIGNATURES: dict[str, str] = {
-    # queries
-    "glGetFloatv": "up", "glGetIntegerv": "up", "glGetBooleanv": "up", "glGetDoublev": "up",
-    "glGetPointerv": "up", "glIsEnabled": "u>b", "glGetError": ">u", "glGetString": "u>p",
-    "glGetStringi": "uu>p",
-    "glGetBufferSubData": "unnp", "glGetBufferParameteriv": "uup", "glGetClipPlane": "up",
-    "glGetLightfv": "uup", "glGetMaterialfv": "uup",
-    "glGetVertexAttribiv": "uup", "glGetMapiv": "uup", "glGetMapfv": "uup",
-    # immediate mode
-    "glBegin": "u", "glEnd": "",
-    "glVertex2fv": "p", "glVertex3fv": "p", "glVertex4fv": "p", "glNormal3fv": "p",
-    "glColor3fv": "p", "glColor4fv": "p", "glTexCoord1fv": "p", "glTexCoord2fv": "p",
-    "glTexCoord3fv": "p", "glTexCoord4fv": "p", "glEdgeFlag": "b",
-    # arrays
-    "glVertexPointer": "iuip", "glNormalPointer": "uip", "glColorPointer": "iuip",
-    "glTexCoordPointer": "iuip", "glEnableClientState": "u", "glDisableClientState": "u",
-    "glClientActiveTexture": "u", "glDrawArrays": "uii", "glDrawElements": "uiup",
-    "glEnableVertexAttribArray": "u", "glDisableVertexAttribArray": "u",
-    "glBindBuffer": "uu", "glGenVertexArrays": "ip", "glBindVertexArray": "u",
-    "glDeleteVertexArrays": "ip", "glIsFramebuffer": "u>b",
-    "glGenFramebuffers": "ip", "glDeleteFramebuffers": "ip",
-    # state
-    "glEnable": "u", "glDisable": "u", "glUseProgram": "u", "glColorMask": "bbbb",
-    "glPushAttrib": "u", "glPopAttrib": "", "glPushClientAttrib": "u", "glPopClientAttrib": "",
-    "glMatrixMode": "u", "glPushMatrix": "", "glPopMatrix": "", "glLoadIdentity": "",
-    "glLoadMatrixf": "p", "glOrtho": "dddddd", "glViewport": "iiii", "glDepthRange": "dd",
-    "glActiveTexture": "u", "glGenTextures": "ip", "glBindTexture": "uu",
-    "glTexImage2D": "uiiiiiuup", "glTexParameteri": "uui", "glPolygonMode": "uu", "glCallList": "u",
-    "glRenderMode": "u>i", "glFeedbackBuffer": "iup", "glPixelStorei": "ui",
-    "glReadPixels": "iiiiuup", "glReadBuffer": "u", "glBindFramebuffer": "uu",
-    "glFinish": "", "glDepthMask": "b", "glLoadMatrixd": "p",
-    # small programs of our own in the app's compatibility context
-    "glCreateProgram": ">u", "glCreateShader": "u>u", "glShaderSource": "uipp",
-    "glCompileShader": "u", "glAttachShader": "uu", "glLinkProgram": "u",
-    "glGetUniformLocation": "up>i", "glIsVertexArray": "u>b", "glUniform4f": "iffff",
-    "glDeleteShader": "u", "glGetProgramiv": "uup",
-}  # fmt: skip
 
 
 class Driver:
@@ -69,7 +34,7 @@ class Driver:
     def __getattr__(self, name: str) -> Callable[..., Any]:
         signature = SIGNATURES.get(name)
         if signature is None:
-            raise AttributeError(f"glshim.spec.driver has no signature for {name!r}")
+            raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
         arguments, _, result = signature.partition(">")
         from OpenGL.platform import PLATFORM
 

@@ -19,9 +19,9 @@ from glshim.model.lines import FIN, INTERSECTION, LONE_RIDGE, OUTLINES, RIDGE, R
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.cameras import turned
 from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.guard import Guard
 from glshim.outputs.gl.lines.canvas import Canvas
+from glshim.spec.driver import gl
 from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER
 from stylers.raskar.expansion import expand

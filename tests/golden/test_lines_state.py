@@ -12,7 +12,7 @@ from OpenGL import GL
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look

@@ -13,8 +13,8 @@ from OpenGL import GL
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.arrays import fans
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.fixed import FixedPen
+from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.two_pass import TwoPass
 from tests import look, oracle
@@ -29,7 +29,7 @@ VIEWS = look.directions(6)
 PURPLE = (0x60, 0x20, 0x80)
 
 BARE = """
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 from glshim.outputs.gl import fixed
 from tests.differential.test_contexts import cube
 from tests.differential.world import run
@@ -53,7 +53,7 @@ for style in (TwoPass(ink="#602080"), TwoPass(ink="#602080", fill="#ffffff", smo
 """A program under the style, from its calls to its picture."""
 
 OLDEST = """
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 from tests import look
 from tests.golden.test_two_pass import CAMERA, ink_of
 from stylers.two_pass import TwoPass

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.spec.ask import integer
 from glshim.spec.attributes import (
     BY_NAME,
     COLOR,
@@ -97,8 +98,8 @@ def able(mode: int) -> bool:
     obstacles = _obstacles[context]
     return bool(
         obstacles
-        and not any(map(_integer, obstacles))
-        and _integer(0x0BB1) < _integer(0x0D3B)  # room on the client attribute stack
+        and not any(map(integer, obstacles))
+        and integer(0x0BB1) < integer(0x0D3B)  # room on the client attribute stack
         and not (mode == _LINE_STRIP and gl.glIsEnabled(0x0B24))  # the stipple runs along it
     )
 
@@ -121,18 +122,9 @@ def _obstacles_of_version() -> tuple[int, ...]:
     return (program, array_object) if known else (program,)
 
 
-_value = (ctypes.c_int * 16)()
-
-
-def _integer(name: int) -> int:
-    _value[0] = 0
-    gl.glGetIntegerv(name, _value)
-    return _value[0]
-
-
 def list_open() -> bool:
     """Whether the driver is compiling a display list. Ask outside a primitive."""
-    return bool(current_context() and _integer(0x0B33))
+    return bool(current_context() and integer(0x0B33))
 
 
 def draw(mode: int, stream: bytes) -> bool:
@@ -245,17 +237,17 @@ def _generic_arrays() -> list[int]:
         get = gl.glGetVertexAttribiv
     except AttributeError:
         return []
-    found = []
-    for index in range(min(_integer(0x8869), 32)):
-        get(index, _ENABLED, _value)
-        if _value[0]:
+    found, value = [], ctypes.c_int(0)
+    for index in range(min(integer(0x8869), 32)):
+        get(index, _ENABLED, ctypes.byref(value))
+        if value.value:
             found.append(index)
     return found
 
 
 def _texture_units() -> int:
     """Highest texture unit whose client array may be enabled."""
-    return max(0, min(_integer(0x84E2), 8) - 1)
+    return max(0, min(integer(0x84E2), 8) - 1)
 
 
 def check(real: Callable[..., Any]) -> Any:

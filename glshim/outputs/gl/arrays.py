@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.vectors import cross
-from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.ask import integer
 from glshim.spec.context import version
+from glshim.spec.driver import gl
 
 _ARRAYS = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
 """Vertices, normals, colours, indices, edge flags, fog and secondary colours."""

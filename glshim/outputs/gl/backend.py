@@ -19,7 +19,6 @@ from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.cameras import box_of, hair_of, scissor, stencil, turned
 from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.driver import current_context, integer
 from glshim.outputs.gl.guard import Guard, possible
 from glshim.outputs.gl.lines.canvas import Canvas
 from glshim.outputs.gl.lines.crossings import Crossings
@@ -29,7 +28,9 @@ from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
 from glshim.outputs.gl.plain import plainly
 from glshim.outputs.gl.textures import Textures
+from glshim.spec.ask import integer
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
+from glshim.spec.driver import current_context
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Draw
 from glshim.styling.wishes import Choice

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from glshim.model.camera import Camera
 from glshim.outputs.gl.depth import UNIT as DEPTH_UNIT
 from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.sheet import SHEET
 from glshim.outputs.gl.textures import STROKE_UNIT
+from glshim.spec.driver import gl
 
 _STENCIL_TEST = 0x0B90
 MOST_CLIP_PLANES = 6

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 UNIT = 15
 """Texture unit of the copy while lines are drawn: one that apps hardly use."""

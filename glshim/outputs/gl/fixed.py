@@ -19,10 +19,11 @@ from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.arrays import fans, put_the_apps_arrays_away
 from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, scissor, stencil
-from glshim.outputs.gl.driver import current_context, gl, integer
 from glshim.outputs.gl.guard import Guard, drain, possible
 from glshim.outputs.gl.plain import plainly
+from glshim.spec.ask import integer
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
+from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import BackFaces, Colour
 
 _TRIANGLES, _FLOAT, _VERTICES, _EDGE_FLAGS = 0x0004, 0x1406, 0x8074, 0x8079

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glshim.notices import say
+from glshim.spec.ask import integer, integers, real
 from glshim.spec.driver import gl
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def grab(size: tuple[int, int] | None = None, framebuffer: int = 0) -> Image:
     from PIL import Image
 
     if size is None:
-        _, _, *extent = _integers(_VIEWPORT, 4)
+        _, _, *extent = integers(_VIEWPORT, 4)
         size = extent[0], extent[1]
     pixels = ctypes.create_string_buffer(size[0] * size[1] * 3)
     with _plain_reading(framebuffer) as readable:
@@ -114,20 +115,20 @@ def _plain_reading(framebuffer: int) -> Iterator[bool]:
     if version >= (3, 0):
         # The draw binding too: GL_DOUBLEBUFFER tells about that one.
         for target, binding in _FRAMEBUFFERS:
-            change(gl.glBindFramebuffer, target, framebuffer, back_to=_integer(binding))
+            change(gl.glBindFramebuffer, target, framebuffer, back_to=integer(binding))
     if version >= (2, 1):
-        bound = _integer(_PIXEL_PACK_BUFFER_BINDING)
+        bound = integer(_PIXEL_PACK_BUFFER_BINDING)
         change(gl.glBindBuffer, _PIXEL_PACK_BUFFER, 0, back_to=bound)
-    window_buffer = _BACK if _integer(_DOUBLEBUFFER) else _FRONT
+    window_buffer = _BACK if integer(_DOUBLEBUFFER) else _FRONT
     buffer = _COLOR_ATTACHMENT if framebuffer else window_buffer
-    change(gl.glReadBuffer, buffer, back_to=_integer(_READ_BUFFER))
+    change(gl.glReadBuffer, buffer, back_to=integer(_READ_BUFFER))
     for name, value in _PACKING:
-        change(gl.glPixelStorei, name, value, back_to=_integer(name))
-    if version < (3, 2) or not _integer(_CONTEXT_PROFILE_MASK) & _CORE_PROFILE:
+        change(gl.glPixelStorei, name, value, back_to=integer(name))
+    if version < (3, 2) or not integer(_CONTEXT_PROFILE_MASK) & _CORE_PROFILE:
         for name, plain in _TRANSFER:
-            change(_pixel_transfer(), name, plain, back_to=_float(name))
+            change(_pixel_transfer(), name, plain, back_to=real(name))
     try:
-        yield not (framebuffer and _integer(_SAMPLE_BUFFERS))
+        yield not (framebuffer and integer(_SAMPLE_BUFFERS))
     finally:
         for function, arguments in reversed(undo):
             function(*arguments)
@@ -145,19 +146,3 @@ def _version() -> tuple[int, int]:
     text = ctypes.string_at(gl.glGetString(_VERSION))
     found = re.search(rb"(\d+)\.(\d+)", text)
     return (int(found[1]), int(found[2])) if found else (1, 1)
-
-
-def _integers(name: int, count: int) -> list[int]:
-    values = (ctypes.c_int * count)()
-    gl.glGetIntegerv(name, values)
-    return list(values)
-
-
-def _integer(name: int) -> int:
-    return _integers(name, 1)[0]
-
-
-def _float(name: int) -> float:
-    value = ctypes.c_float()
-    gl.glGetFloatv(name, ctypes.byref(value))
-    return value.value

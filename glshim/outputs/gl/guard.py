@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 from types import TracebackType
 
-from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.ask import integer
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
+from glshim.spec.driver import gl
 
 _ALL = 0xFFFFFFFF
 _RENDER = 0x1C00

@@ -12,10 +12,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.guard import Guard, possible
 from glshim.outputs.gl.plain import plainly
+from glshim.spec.ask import integer
 from glshim.spec.context import shortcoming
+from glshim.spec.driver import gl
 
 MARGIN, PADDING = 8, 7
 """Pixels around the panel, and in it around the text."""

@@ -9,8 +9,9 @@ from __future__ import annotations
 import ctypes
 from importlib.resources import files
 
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.programs import compiled
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 _LIGHTING, _COLOR_MATERIAL, _TWO_SIDE, _PROGRAM_TWO_SIDE = 0x0B50, 0x0B57, 0x0B52, 0x8643
 _FACE, _PARAMETER = 0x0B55, 0x0B56

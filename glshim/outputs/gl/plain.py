@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.guard import drain
+from glshim.spec.driver import gl
 
 _OFF = (  # what would change or drop the ink: each is enabled by some app
     0x0B44,  # cull face

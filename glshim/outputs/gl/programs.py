@@ -10,7 +10,7 @@ import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 
 _VERTEX, _FRAGMENT = 0x8B31, 0x8B30
 _LINKED = 0x8B82

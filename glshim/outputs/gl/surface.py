@@ -10,9 +10,9 @@ from __future__ import annotations
 import ctypes
 from importlib.resources import files
 
-from glshim.outputs.gl.driver import current_context, gl
 from glshim.outputs.gl.paint import Paint
 from glshim.outputs.gl.programs import compiled
+from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Colour
 
 _BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0

@@ -6,7 +6,7 @@ import ctypes
 
 import numpy as np
 
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13

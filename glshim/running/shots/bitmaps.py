@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 _UNPACK = {
     name: (value, plain)

@@ -14,18 +14,11 @@ from typing import Any, Protocol
 from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.raw import Call
 from glshim.notices import say_once
-from glshim.outputs.gl.driver import gl, integer
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.target import BOTH, COLOUR_AT, DRAW, DRAW_BINDING, READ_BINDING, Target
-from glshim.spec.driver import SIGNATURES
-
-SIGNATURES.update(
-    {
-        "glPointSize": "f", "glPixelZoom": "ff", "glBitmap": "iiffffp", "glLineStipple": "iu",
-        "glWindowPos3f": "fff",
-    }
-)  # fmt: skip
+from glshim.spec.ask import integer, reals
+from glshim.spec.driver import gl
 
 _VIEWPORT, _SCISSOR_BOX, _LINE_WIDTH, _POINT_SIZE = 0x0BA2, 0x0C10, 0x0B21, 0x0B11
 _STIPPLE_REPEAT, _STIPPLE, _ZOOM, _RASTER_PLACE = 0x0B26, 0x0B25, (0x0D16, 0x0D17), 0x0B07
@@ -202,7 +195,7 @@ class Calls:
         mapping = self._mapping()
         if mapping is None or forward.list_open() or len(args) != 5:
             return real(*args)
-        zoom = [_floats(each, 1)[0] for each in _ZOOM]
+        zoom = [reals(each, 1)[0] for each in _ZOOM]
         gl.glPixelZoom(zoom[0] / mapping.across, zoom[1] / mapping.up)
         try:
             return real(*mapping.rect([int(a) for a in args[:4]]), args[4])
@@ -294,7 +287,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
         own = before.rect_back(list(values)) if before else tuple(values)
         say(*(after.rect(own) if after else own))
     for name, say in ((_LINE_WIDTH, gl.glLineWidth), (_POINT_SIZE, gl.glPointSize)):
-        value = _floats(name, 1)[0]
+        value = reals(name, 1)[0]
         length = before.length_back(value) if before else value
         if after and name == _LINE_WIDTH:
             told_of_limit(after.length(length), asked=length != 1.0)
@@ -303,7 +296,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
     repeat = max(round(repeat / before.scale), 1) if before else repeat
     repeat = min(round(repeat * after.scale), _MOST_STIPPLE) if after else repeat
     gl.glLineStipple(max(repeat, 1), pattern & 0xFFFF)
-    x, y = (_floats(name, 1)[0] for name in _ZOOM)
+    x, y = (reals(name, 1)[0] for name in _ZOOM)
     if before:
         x, y = x / before.across, y / before.up
     if after:
@@ -313,7 +306,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
 
 def told_of_limit(width: float, *, asked: bool = True) -> None:
     """Say once when this GL has no lines of a width."""
-    most = _floats(_WIDTHS, 2)[1]
+    most = reals(_WIDTHS, 2)[1]
     if asked and width > most:
         say_once(f"this GL has lines of {most:g} pixels at most: the program's own stay thinner")
 
@@ -340,9 +333,3 @@ def address_of(argument: Any) -> int:
 def _attached(buffer: int) -> int:
     """The target's buffer for one of the window: none stays none."""
     return COLOUR_AT if buffer else 0
-
-
-def _floats(name: int, count: int) -> list[float]:
-    values = (ctypes.c_float * count)()
-    gl.glGetFloatv(name, ctypes.addressof(values))
-    return list(values)

@@ -13,14 +13,11 @@ import numpy as np
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import Call, ground_function
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.guard import Guard, possible
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
-from glshim.spec.driver import SIGNATURES
-
-SIGNATURES["glWindowPos3f"] = "fff"
-SIGNATURES["glColor3f"] = "fff"
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 _FRAMEBUFFER, _RENDERBUFFER, _COLOUR_AT, _RGBA8 = 0x8D40, 0x8D41, 0x8CE0, 0x8058
 _SIZE, _MIDDLE = 128, 48

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable
 from dataclasses import fields
 from typing import Any
@@ -15,7 +14,6 @@ from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
 from glshim.notices import say
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.framegrab import grab
 from glshim.outputs.gl.sheet import SHEET
 from glshim.running import stillness
@@ -24,7 +22,8 @@ from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Plan, Size, Tile, tiles_of
 from glshim.running.shots.target import BOTH, DRAW, DRAW_BINDING, READ, READ_BINDING, Target
-from glshim.spec.driver import current_context
+from glshim.spec.ask import integer, integers
+from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Styler, options_of
 from glshim.toolkits import frames
 
@@ -118,7 +117,7 @@ class Shot:
         """The window is known now: the frame that comes is the first tile."""
         window = self._window()
         sheet = self.plan.sheet_for(window)
-        most = _integers(_MOST_VIEWPORT, 2)
+        most = integers(_MOST_VIEWPORT, 2)
         if sheet[0] > most[0] or sheet[1] > most[1]:
             raise RenderError(
                 f"a picture of {sheet[0]}x{sheet[1]} pixels is larger than this GL can project to: "
@@ -234,7 +233,7 @@ class Shot:
             convert(None, self.mapping)
             gl.glBindFramebuffer(BOTH, self.target.name)
             return
-        box = _integers(_VIEWPORT, 4)
+        box = integers(_VIEWPORT, 4)
         if not self.mapping.knows(box):
             gl.glViewport(*self.mapping.rect(box))
 
@@ -261,7 +260,7 @@ class Shot:
         size = frames.drawable_size()
         if size is not None and min(size) > 0:
             return size
-        _, _, width, height = _integers(_VIEWPORT, 4)
+        _, _, width, height = integers(_VIEWPORT, 4)
         return width, height
 
 
@@ -269,12 +268,6 @@ def _slices(box: tuple[int, int, int, int], origin: tuple[int, int]) -> tuple[sl
     """Rows and columns of a box (left, low, right, top)."""
     (left, low, right, top), (x, y) = box, origin
     return slice(low - y, top - y), slice(left - x, right - x)
-
-
-def _integers(name: int, count: int) -> tuple[int, ...]:
-    values = (ctypes.c_int * count)()
-    gl.glGetIntegerv(name, ctypes.addressof(values))
-    return tuple(values)
 
 
 def enlarged(styler: Styler, scale: float) -> Styler:

@@ -9,14 +9,12 @@ from contextlib import contextmanager
 from PIL.Image import Image
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.framegrab import grab
 from glshim.outputs.gl.guard import Guard, drain
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Size
-from glshim.spec.driver import SIGNATURES
-
-SIGNATURES["glRenderbufferStorageMultisample"] = "uiuii"
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 READ, DRAW, BOTH = 0x8CA8, 0x8CA9, 0x8D40
 READ_BINDING, DRAW_BINDING = 0x8CAA, 0x8CA6

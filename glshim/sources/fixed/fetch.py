@@ -16,6 +16,7 @@ from glshim.model.caches import AgingCache
 from glshim.notices import say_once
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import POLYGON_MODES, concatenate, polygon_corners
+from glshim.spec.ask import integer, is_enabled
 from glshim.spec.context import restarts_primitives
 from glshim.spec.draws import DRAWS, Signature
 from glshim.spec.driver import current_context, gl
@@ -59,7 +60,7 @@ class VertexFetch:
         if "Named" in name and args and isinstance(args[0], int):
             buffer = args[0]
         elif args and isinstance(args[0], int) and int(args[0]) in _BINDINGS:
-            buffer = _integer(_BINDINGS[int(args[0])])
+            buffer = integer(_BINDINGS[int(args[0])])
         else:
             self._epoch = next(_EPOCHS)
             return
@@ -116,7 +117,7 @@ class VertexFetch:
         scalars = tuple(int(values[p]) for p in signature.parameters if p not in ("indices",))
         indexed: Hashable = None
         if "indices" in values:
-            element_buffer = _integer(0x8895)
+            element_buffer = integer(0x8895)
             if not element_buffer:
                 return None
             indexed = (*self._version(element_buffer), _address(values["indices"]))
@@ -178,15 +179,15 @@ def _indices(value: Any, type_: int, count: int) -> NDArray[np.int64]:
     if restarts_primitives():
         raise Unfetchable("primitive restart is on")
     dtype = np.dtype(_INDICES[type_])
-    raw = _bytes(_integer(0x8895), _ELEMENT_BUFFER, _address(value), count * dtype.itemsize)
+    raw = _bytes(integer(0x8895), _ELEMENT_BUFFER, _address(value), count * dtype.itemsize)
     return np.frombuffer(raw, dtype).astype(np.int64)
 
 
 def _vertex_pointer() -> _Pointer:
-    if not _is_enabled(0x8074):
+    if not is_enabled(0x8074):
         raise Unfetchable("positions are not in the fixed-function vertex array")
     pointer = _Pointer(
-        _integer(0x807A), _integer(0x807B), _integer(0x807C), _integer(0x8896), _pointed(0x808E)
+        integer(0x807A), integer(0x807B), integer(0x807C), integer(0x8896), _pointed(0x808E)
     )
     if pointer.type not in _DTYPES:
         raise Unfetchable(f"vertex type {pointer.type:#x}")
@@ -195,9 +196,9 @@ def _vertex_pointer() -> _Pointer:
 
 def _normal_pointer() -> _Pointer | None:
     """The normal array, None when it is off."""
-    if not _is_enabled(0x8075):
+    if not is_enabled(0x8075):
         return None
-    return _Pointer(3, _integer(0x807E), _integer(0x807F), _integer(0x8897), _pointed(0x808F))
+    return _Pointer(3, integer(0x807E), integer(0x807F), integer(0x8897), _pointed(0x808F))
 
 
 def _pointed(name: int) -> int:
@@ -253,7 +254,7 @@ def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:
         return b""
     if not buffer:
         return ctypes.string_at(address, size)
-    bound = _integer(_BINDINGS[target])
+    bound = integer(_BINDINGS[target])
     gl.glBindBuffer(target, buffer)
     try:
         state = ctypes.c_int()
@@ -290,16 +291,3 @@ def _integers_at(value: Any, count: int) -> list[int]:
 def _pointers_at(value: Any, count: int) -> list[int]:
     address = ctypes.cast(value, ctypes.c_void_p).value if not isinstance(value, int) else value
     return [p or 0 for p in (ctypes.c_void_p * count).from_address(int(address or 0))]
-
-
-_value = (ctypes.c_int * 4)()
-
-
-def _integer(name: int) -> int:
-    _value[0] = 0
-    gl.glGetIntegerv(name, _value)
-    return _value[0]
-
-
-def _is_enabled(name: int) -> bool:
-    return bool(gl.glIsEnabled(name))

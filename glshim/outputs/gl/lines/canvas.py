@@ -11,9 +11,9 @@ from importlib.resources import files
 
 from glshim.errors import RenderError
 from glshim.outputs.gl.depth import Box
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.passes.uploads import made
 from glshim.outputs.gl.programs import compiled
+from glshim.spec.driver import gl
 
 _FRAMEBUFFER, _COLOUR_AT, _COMPLETE = 0x8D40, 0x8CE0, 0x8CD5
 _TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC

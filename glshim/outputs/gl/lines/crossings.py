@@ -28,8 +28,9 @@ from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
 from glshim.outputs.gl.depth import UNIT, Box
-from glshim.outputs.gl.driver import gl, integer
 from glshim.outputs.gl.lines.laying import triangles
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 from glshim.styling.protocol import Draw
 
 _SMALL = 512

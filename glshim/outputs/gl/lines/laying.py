@@ -13,9 +13,9 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, scissor
 from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.programs import compiled
 from glshim.spec.context import has_vertex_arrays
+from glshim.spec.driver import gl
 
 _TRIANGLES, _FLOAT = 0x0004, 0x1406
 _ARRAY_BUFFER, _DEPTH_TEST, _SCISSOR_TEST = 0x8892, 0x0B71, 0x0C11

@@ -16,9 +16,9 @@ from glshim.notices import say_once
 from glshim.outputs.gl.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.cameras import inputs_of
 from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.programs import compiled
 from glshim.spec.context import MODERN
+from glshim.spec.driver import gl
 from glshim.styling.protocol import Expansion, Shader, Uniform
 
 _SHADERS = files("glshim.outputs.gl") / "shaders"

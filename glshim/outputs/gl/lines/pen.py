@@ -16,8 +16,8 @@ from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, inputs_of
 from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.programs import Program
+from glshim.spec.driver import gl
 from glshim.styling.protocol import Shader, Uniform
 
 _SHADERS = files("glshim.outputs.gl") / "shaders"

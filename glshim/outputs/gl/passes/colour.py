@@ -6,7 +6,8 @@ import ctypes
 
 from glshim.notices import say_once
 from glshim.outputs.gl.depth import Box
-from glshim.outputs.gl.driver import gl, integer
+from glshim.spec.ask import integer
+from glshim.spec.driver import gl
 
 UNIT = 5
 """Texture unit of the copy while passes are drawn."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from glshim.errors import RenderError
 from glshim.outputs.gl.depth import Box
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.passes.uploads import made
+from glshim.spec.driver import gl
 
 UNIT = 4
 """Texture unit of it while passes are drawn."""

@@ -20,9 +20,9 @@ from glshim.geometry.recovery.outward import outward
 from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.passes.sieved import Sieved
 from glshim.outputs.gl.passes.uploads import Indices, delete, upload
+from glshim.spec.driver import gl
 from glshim.styling.passes import Element
 
 UNITS = {

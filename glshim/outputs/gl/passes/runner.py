@@ -20,7 +20,6 @@ from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
 from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.passes.colour import UNIT as COLOUR_UNIT
 from glshim.outputs.gl.passes.colour import ColourCopy
 from glshim.outputs.gl.passes.gbuffer import UNIT as GBUFFER_UNIT
@@ -31,6 +30,7 @@ from glshim.outputs.gl.passes.sieved import UNIT as SIEVED_UNIT
 from glshim.outputs.gl.passes.stage import NOTHING_DRAWN, Stage
 from glshim.outputs.gl.programs import Program
 from glshim.outputs.gl.textures import Textures
+from glshim.spec.driver import gl
 from glshim.styling.passes import VERTICES, Body, Comparison, Pass, State, Stencil
 
 _MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}

@@ -6,10 +6,10 @@ from importlib.resources import files
 
 from glshim.errors import RenderError
 from glshim.outputs.gl.depth import UNIT, Box
-from glshim.outputs.gl.driver import gl
 from glshim.outputs.gl.lines.canvas import Canvas
 from glshim.outputs.gl.passes.uploads import made
 from glshim.outputs.gl.programs import compiled
+from glshim.spec.driver import gl
 
 _FRAMEBUFFER, _RENDERBUFFER, _COMPLETE = 0x8D40, 0x8D41, 0x8CD5
 _DEPTH_24_STENCIL_8, _DEPTH_STENCIL_AT = 0x88F0, 0x821A

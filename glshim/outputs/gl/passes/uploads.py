@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.outputs.gl.driver import gl
+from glshim.spec.driver import gl
 
 WIDTH = 2048
 """Texels in a row of a texture that has more than one."""

@@ -1,0 +1,46 @@
+"""Questions to the driver about its state: one way to ask, past every hook, without GL errors."""
+
+from __future__ import annotations
+
+import ctypes
+
+from glshim.spec.driver import gl
+
+
+def integer(name: int) -> int:
+    """One integer of the state; 0 for a name that the driver does not know."""
+    value = ctypes.c_int(0)
+    gl.glGetIntegerv(name, ctypes.byref(value))
+    return value.value
+
+
+def integers(name: int, count: int) -> tuple[int, ...]:
+    """Some integers of one name."""
+    values = (ctypes.c_int * count)()
+    gl.glGetIntegerv(name, values)
+    return tuple(values)
+
+
+def real(name: int) -> float:
+    """One float of the state."""
+    value = ctypes.c_float(0.0)
+    gl.glGetFloatv(name, ctypes.byref(value))
+    return value.value
+
+
+def reals(name: int, count: int) -> tuple[float, ...]:
+    """Some floats of one name."""
+    values = (ctypes.c_float * count)()
+    gl.glGetFloatv(name, values)
+    return tuple(values)
+
+
+def is_enabled(switch: int) -> bool:
+    """Whether a switch is on."""
+    return bool(gl.glIsEnabled(switch))
+
+
+def text(name: int) -> str:
+    """A string of the driver's, empty without a context."""
+    found = gl.glGetString(name)
+    return ctypes.string_at(found).decode("ascii", "replace") if found else ""
