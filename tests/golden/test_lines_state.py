@@ -233,6 +233,6 @@ def test_nothing_is_drawn_while_a_list_is_compiled_or_the_stack_is_full(backend)
 
 
 def test_no_context_is_a_render_error(monkeypatch):
-    monkeypatch.setattr("glshim.outputs.gl.driver.gl.glGetString", lambda name: None, raising=False)
+    monkeypatch.setattr("glshim.spec.driver.gl.glGetString", lambda name: None, raising=False)
     with pytest.raises(RenderError, match="no GL context"):
         Backend.attach()
