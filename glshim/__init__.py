@@ -24,22 +24,23 @@ if TYPE_CHECKING:
     from glshim.model.camera import Camera
     from glshim.pipeline import install, uninstall
     from glshim.styling.fixed import BackFaces
-    from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, Stencil, bodies
-    from glshim.styling.pictures import Image, read_image
-    from glshim.styling.protocol import (
-        Colour,
-        Draw,
-        Expansion,
-        Layer,
-        Option,
-        Shader,
-        Styler,
-        Uniform,
-        option,
-        options_of,
+    from glshim.styling.lines import Draw, Expansion, Lines, Medium, Shader
+    from glshim.styling.passes import (
+        HEADLIGHT,
+        MeshShader,
+        Pass,
+        Primitives,
+        Sieve,
+        State,
+        Stencil,
+        Weld,
+        bodies,
     )
+    from glshim.styling.pictures import Image, read_image
+    from glshim.styling.protocol import Option, Styler, option, options_of
     from glshim.styling.texts import parse_style
-    from glshim.styling.wishes import Choice, Features
+    from glshim.styling.values import Body, Colour, Layer, Uniform
+    from glshim.styling.wishes import Choice, Features, Pattern
 
 _HOMES = {
     "glshim.pipeline": ("install", "uninstall"),
@@ -47,24 +48,24 @@ _HOMES = {
     "glshim.model.batch": ("PolygonBatch",),
     "glshim.model.camera": ("Camera",),
     "glshim.geometry.crease.creases": ("Criterion",),
-    "glshim.linework.feature_lines": ("Features",),
-    "glshim.linework.polygon_lines": ("Choice",),
     "glshim.geometry.meshshaders.poses": ("Keyframes", "Skin"),
     "glshim.styling.fixed": ("BackFaces",),
-    "glshim.styling.passes": ("Body", "MeshShader", "Pass", "Sieve", "State", "Stencil", "bodies"),
-    "glshim.styling.pictures": ("Image", "read_image"),
-    "glshim.styling.protocol": (
-        "Colour",
-        "Draw",
-        "Expansion",
-        "Layer",
-        "Option",
-        "Shader",
-        "Styler",
-        "Uniform",
-        "option",
-        "options_of",
+    "glshim.styling.lines": ("Draw", "Expansion", "Lines", "Medium", "Shader"),
+    "glshim.styling.passes": (
+        "HEADLIGHT",
+        "MeshShader",
+        "Pass",
+        "Primitives",
+        "Sieve",
+        "State",
+        "Stencil",
+        "Weld",
+        "bodies",
     ),
+    "glshim.styling.pictures": ("Image", "read_image"),
+    "glshim.styling.protocol": ("Option", "Styler", "option", "options_of"),
+    "glshim.styling.values": ("Body", "Colour", "Layer", "Uniform"),
+    "glshim.styling.wishes": ("Choice", "Features", "Pattern"),
     "glshim.errors": (
         "EnvironmentFault",
         "GlshimError",
@@ -77,6 +78,7 @@ _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 
 __version__ = "0.1.0"
 __all__ = [
+    "HEADLIGHT",
     "BackFaces",
     "Body",
     "Camera",
@@ -91,10 +93,14 @@ __all__ = [
     "Image",
     "Keyframes",
     "Layer",
+    "Lines",
+    "Medium",
     "MeshShader",
     "Option",
     "Pass",
+    "Pattern",
     "PolygonBatch",
+    "Primitives",
     "RenderError",
     "Shader",
     "Sieve",
@@ -105,6 +111,7 @@ __all__ = [
     "Styler",
     "Uniform",
     "UnknownNameError",
+    "Weld",
     "bodies",
     "install",
     "option",

@@ -23,7 +23,7 @@ from glshim.sources.follower import Follower
 from glshim.sources.scene import Scene, say_unstyled
 from glshim.spec.ask import integer
 from glshim.spec.driver import current_context
-from glshim.styling.protocol import BackFaces, Layer, Styler
+from glshim.styling.protocol import BackFaces, Layer, Lines, Pass, Styler
 from glshim.toolkits import frames
 
 _DOUBLE_BUFFER = 0x0C32
@@ -161,7 +161,7 @@ class Pipeline:
     def _add(self, styler: Styler, layer: Layer, scene: Scene) -> None:
         draws = list(styler.draws(layer))
         self.counted.polygons += sum(batch.polygon_count for batch, _ in layer.items)
-        self.counted.draws += len(draws)
+        self.counted.draws += sum(map(_count, draws))
         if not draws:
             return
         try:
@@ -181,6 +181,11 @@ class Pipeline:
         if scene is None or scene.refused or scene.unpainted or is_double_buffered():
             return call()
         return frames.present(call)
+
+
+def _count(draw: Lines | Pass | BackFaces) -> int:
+    """Of a pass one, of lines one a batch."""
+    return 1 if isinstance(draw, Pass) else sum(len(body.batches) for body in draw.bodies)
 
 
 _FIXED = FixedPen()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from glshim.styling.protocol import Colour, Draw, Layer
+from glshim.styling.protocol import Colour, Layer, Lines
 from stylers.raskar import Raskar
 
 _MANY = 20_000
@@ -21,7 +21,7 @@ def looked_for(intersections: str, layer: Layer) -> bool:
     return intersections == "on" or (intersections == "auto" and not is_dense(layer))
 
 
-def crossings(intersections: str, layer: Layer, width: float, ink: Colour) -> Iterable[Draw]:
+def crossings(intersections: str, layer: Layer, width: float, ink: Colour) -> Iterable[Lines]:
     """Those of style raskar; intersections: ``auto``, ``on`` or ``off``; width in pixels."""
     if not looked_for(intersections, layer):
         return ()

@@ -56,7 +56,7 @@ class Method:
     def __init__(self, batch: PolygonBatch, name: str, smooth: bool = False) -> None:
         pattern = Pattern((LENGTH,) * 8, 1.0)
         self.batch, self.lines, self.name = batch, EdgeLines(mesh(batch)), name
-        self.wanted = Features(True, None, None, smooth=smooth, pattern=pattern)
+        self.wanted = Features(contours=True, smooth=smooth, pattern=pattern)
         self.past: Past | None = None
 
     def frame(self, camera: Camera) -> Strokes:

@@ -6,7 +6,7 @@ import dataclasses
 import pickle
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from importlib.resources import files
 from typing import Any
@@ -18,14 +18,16 @@ from glshim.checks.finding import Check, Fault
 from glshim.errors import StyleError
 from glshim.model.batch import PolygonBatch
 from glshim.styling.fromfile import shortcoming
+from glshim.styling.passes import MeshShader
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import (
     SURFACES,
     BackFaces,
-    Draw,
     Layer,
+    Lines,
     Option,
     Pass,
+    Shader,
     Styler,
     options_of,
 )
@@ -210,7 +212,7 @@ def _uniforms_match(styler: Styler) -> None:
         (f" (with {text})" if text else "", draw, _own(draw))
         for text, variant in [("", styler), *variants(styler)]
         for draw in draws_of(variant, layers.usual())
-        if isinstance(draw, (Draw, Pass))
+        if isinstance(draw, (Lines, Pass))
     ]
     # Several shaders may be given the same uniforms, although not each has them all.
     shared = {name for _, _, declared in tried for name in declared}
@@ -218,28 +220,29 @@ def _uniforms_match(styler: Styler) -> None:
         _uniforms_of(draw, declared, shared, reserved, when)
 
 
-def _own(draw: Draw | Pass, *, all_stages: bool = True) -> dict[str, str]:
+def _own(draw: Lines | Pass, *, all_stages: bool = True) -> dict[str, str]:
     """The uniforms that the shader of a draw declares in its own texts: types by name."""
-    shader = draw.shader
+    shader = shader_of(draw)
     texts = [shader.vertex, getattr(shader, "geometry", "")]
     if all_stages:
         texts.append(shader.fragment)
     return {name: kind for text in texts for name, kind in _declared(text).items()}
 
 
-def _used(draw: Draw | Pass) -> set[str]:
+def _used(draw: Lines | Pass) -> set[str]:
     """The words that stand more than once in a text of the shader: declared, and used."""
-    shader = draw.shader
+    shader = shader_of(draw)
     texts = (shader.vertex, getattr(shader, "geometry", ""), shader.fragment)
     counts = (Counter(_NAME.findall(_COMMENT.sub(" ", text))) for text in texts)
     return {word for counted in counts for word, count in counted.items() if count > 1}
 
 
 def _uniforms_of(
-    draw: Draw | Pass, declared: Mapping[str, str], shared: set[str], reserved: set[str], when: str
+    draw: Lines | Pass, declared: Mapping[str, str], shared: set[str], reserved: set[str], when: str
 ) -> None:
-    what = f"shader {draw.shader.name!r}"
-    for name in draw.uniforms:
+    what = f"shader {shader_of(draw).name!r}"
+    uniforms = _uniforms(draw)
+    for name in uniforms:
         if name in reserved:
             raise Fault(
                 f"{what} is given a uniform {name!r}{when}, which is glshim's own",
@@ -253,7 +256,7 @@ def _uniforms_of(
     colours = not isinstance(draw, Pass) or draw.state.writes_colour
     used = _used(draw)
     for name, kind in _own(draw, all_stages=colours).items():
-        given = name in draw.uniforms or name in reserved or "ampler" in kind
+        given = name in uniforms or name in reserved or "ampler" in kind
         if name in used and not given:
             raise Fault(
                 f"{what} declares a uniform {name!r}{when} that no draw sets",
@@ -282,9 +285,9 @@ def draws_of(styler: Styler, layer: Layer) -> list[Any]:
             raise
         raise Fault(f"draws() gives {drawn!r}", "yield draws, or return a list of them") from error
     for one in found:
-        if not isinstance(one, (Draw, Pass, BackFaces)):
-            raise Fault(f"it draws {one!r}", "give Draw, Pass and BackFaces alone")
-        for name, value in _uniforms(one):
+        if not isinstance(one, (Lines, Pass, BackFaces)):
+            raise Fault(f"it draws {one!r}", "give Lines, Pass and BackFaces alone")
+        for name, value in _uniforms(one).items():
             try:
                 finite = bool(np.isfinite(np.asarray(value, float)).all())
             except (TypeError, ValueError):
@@ -296,11 +299,18 @@ def draws_of(styler: Styler, layer: Layer) -> list[Any]:
     return found
 
 
-def _uniforms(one: Any) -> Iterator[tuple[str, Any]]:
-    uniforms = getattr(one, "uniforms", {})
+def shader_of(draw: Lines | Pass) -> Shader | MeshShader:
+    """What lines or elements are drawn with."""
+    return draw.shader if isinstance(draw, Pass) else draw.medium.shader
+
+
+def _uniforms(one: Lines | Pass | BackFaces) -> Mapping[str, Any]:
+    if isinstance(one, BackFaces):
+        return {}
+    uniforms = one.uniforms if isinstance(one, Pass) else one.medium.uniforms
     if not isinstance(uniforms, Mapping):
         raise Fault(f"its uniforms are {uniforms!r}", "give a dict of values by name")
-    yield from uniforms.items()
+    return uniforms
 
 
 def variants(styler: Styler) -> list[tuple[str, Styler]]:

@@ -17,7 +17,7 @@ from glshim import notices, pipeline
 from glshim.checks import layers, scenes
 from glshim.checks.finding import Check, Fault
 from glshim.checks.observe import App, Outcome, observe
-from glshim.checks.values import draws_of, variants
+from glshim.checks.values import draws_of, shader_of, variants
 from glshim.errors import EnvironmentFault, RenderError
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
@@ -54,7 +54,7 @@ def _shaders_link(styler: Styler) -> str:
         for text, variant in [("as given", styler), *variants(styler)]:
             for layer in (layers.usual(), layers.odd()["an open sheet"]):
                 drawn = draws_of(variant, layer)
-                shaders = [draw.shader for draw in drawn if not isinstance(draw, BackFaces)]
+                shaders = [shader_of(draw) for draw in drawn if not isinstance(draw, BackFaces)]
                 if not drawn or (shaders and all(id(shader) in seen for shader in shaders)):
                     continue
                 seen.update(map(id, shaders))

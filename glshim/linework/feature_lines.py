@@ -264,7 +264,11 @@ def _across(
         return no_lines()
     seams = seams_of(rims)
     seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
-    choice = Choice(wanted.contours, wanted.ridge_angle, wanted.valley_angle)
+    choice = Choice(
+        silhouettes=wanted.contours,
+        ridge_angle=wanted.ridge_angle,
+        valley_angle=wanted.valley_angle,
+    )
     folds = alone_of(seams.singles, seen, replace(choice, silhouettes=False))
     found = seen.records(together(seams, seen, choice) + folds)
     if not wanted.boundary:

@@ -1,8 +1,8 @@
-"""From a group of draws to the records of their lines, keeping what static geometry gave."""
+"""From a group of batches to the records of their lines, keeping what static geometry gave."""
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,20 +11,16 @@ from glshim.geometry.edges.edges import Edges, edges, edges_of_each, join
 from glshim.geometry.edges.gather import Places, together
 from glshim.linework.coherence import Past, kept_with, latest
 from glshim.linework.feature_lines import feature_lines, names_of
+from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
 from glshim.linework.polygon_lines import lines
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
-from glshim.styling.protocol import Draw
+from glshim.styling.values import Item
 from glshim.styling.wishes import Features
 
 _LARGE = 4096
 """Corners from which a batch is looked through on its own rather than gathered with others."""
-
-
-def name_of(group: Sequence[Draw]) -> Hashable:
-    """What tells the lines of groups of one layer apart."""
-    return group[0].choice, tuple((id(one.batch), id(one.camera)) for one in group)
 
 
 class Harvest:
@@ -44,36 +40,36 @@ class Harvest:
         self.objects.tick()
         self._past.tick()
 
-    def records(self, group: Sequence[Draw]) -> NDArray[np.float32]:
-        """(L, 21) `glshim.linework.polygon_lines` of draws alike in all but batch and modelview, or
-        the features of the meshes that they make together. The same lines drawn on several sheets
-        of a layer are found once."""
-        name = name_of(group)
+    def records(self, group: Group) -> NDArray[np.float32]:
+        """(L, 21) `glshim.linework.polygon_lines` of a group, or the features of the meshes that
+        its batches make together. The same lines drawn in several coats of a layer are found once.
+        """
+        name = group.name
         found = self._known.get(name)
         if found is None:
             found = self._known[name] = self._found(group)
         return found
 
-    def _found(self, group: Sequence[Draw]) -> NDArray[np.float32]:
-        choice = group[0].choice
-        if isinstance(choice, Features):
-            return self._features(group, choice)
-        large = [draw for draw in group if len(draw.batch.corners) > _LARGE]
-        small = [draw for draw in group if len(draw.batch.corners) <= _LARGE]
+    def _found(self, group: Group) -> NDArray[np.float32]:
+        wanted = group.wanted
+        if isinstance(wanted, Features):
+            return self._features(group, wanted)
+        large = [item for item in group.items if len(item[0].corners) > _LARGE]
+        small = [item for item in group.items if len(item[0].corners) <= _LARGE]
         if len(small) == 1:
             large, small = [*large, *small], []
         parts = []
-        for draw in large:
-            found = self._edges(draw.batch)
-            parts.append((found, Places.one(draw.camera.modelview, len(found.planes))))
+        for batch, camera in large:
+            found = self._edges(batch)
+            parts.append((found, Places.one(camera.modelview, len(found.planes))))
         if small:
             parts.append(self._gathered(small))
-        return lines(parts, group[0].camera, choice)
+        return lines(parts, group.camera, wanted)
 
-    def _features(self, group: Sequence[Draw], wanted: Features) -> NDArray[np.float32]:
-        items = [(draw.batch, draw.camera.modelview) for draw in group]
+    def _features(self, group: Group, wanted: Features) -> NDArray[np.float32]:
+        items = [(batch, camera.modelview) for batch, camera in group.items]
         placed = self.objects.placed(items, wanted.tolerance)
-        camera = group[0].camera
+        camera = group.camera
         if wanted.pattern is None:
             return feature_lines(placed, camera, wanted)[0]
         view, names = (wanted, camera.viewport), names_of(placed)
@@ -96,26 +92,26 @@ class Harvest:
             found = self._cache.put(key, made, made.nbytes)
         return found
 
-    def _gathered(self, draws: list[Draw]) -> tuple[Edges, Places]:
+    def _gathered(self, items: list[Item]) -> tuple[Edges, Places]:
         """The edges of many small batches, each where it stands."""
-        kept = [draw for draw in draws if draw.batch.key is not None]
-        passing: dict[int, list[Draw]] = {}
-        for draw in draws:
-            if draw.batch.key is None:
-                passing.setdefault(id(draw.camera), []).append(draw)
+        kept = [item for item in items if item[0].key is not None]
+        passing: dict[int, list[Item]] = {}
+        for item in items:
+            if item[0].key is None:
+                passing.setdefault(id(item[1]), []).append(item)
         parts, owners = [], []
         if kept:
-            keys = tuple(draw.batch.key for draw in kept)
+            keys = tuple(batch.key for batch, _ in kept)
             if self._crowd is None or keys != self._crowd[0]:
-                self._crowd = (keys, *together([self._edges(draw.batch) for draw in kept]))
+                self._crowd = (keys, *together([self._edges(batch) for batch, _ in kept]))
             parts.append(self._crowd[1])
             owners.append(self._crowd[2])
         if passing:
             found, owner = edges_of_each(
-                [join([draw.batch for draw in alike]) for alike in passing.values()]
+                [join([batch for batch, _ in alike]) for alike in passing.values()]
             )
             parts.append(found)
             owners.append(owner + np.int32(len(kept)))
-        cameras = [draw.camera for draw in kept] + [alike[0].camera for alike in passing.values()]
+        cameras = [camera for _, camera in kept] + [alike[0][1] for alike in passing.values()]
         modelviews = np.stack([camera.modelview for camera in cameras])
         return together(parts)[0], Places(np.concatenate(owners), modelviews)

@@ -1,46 +1,78 @@
-"""Draws that go together: one camera but for the modelview, one look."""
+"""Batches whose lines go together: one camera but for the modelview, one look."""
 
 from __future__ import annotations
 
 from collections.abc import Hashable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import isfinite
 
 from glshim.model.camera import Camera
-from glshim.styling.protocol import Draw
+from glshim.styling.lines import Lines, Medium
+from glshim.styling.values import Item, in_order
+from glshim.styling.wishes import Choice, Features
 
 
-def grouped(draws: Iterable[Draw]) -> list[list[Draw]]:
-    """Draws that one GL draw can serve: alike in all but batch and modelview."""
-    groups: dict[Hashable, list[Draw]] = {}
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Batches whose lines one draw can serve."""
+
+    items: tuple[Item, ...]
+    """In the order in which the app drew them; cameras are affine, alike in all but modelview."""
+    wanted: Choice | Features
+    medium: Medium
+
+    @property
+    def camera(self) -> Camera:
+        """The camera of all, but for its modelview."""
+        return self.items[0][1]
+
+    @property
+    def name(self) -> Hashable:
+        """What tells the lines of groups of one layer apart."""
+        return self.wanted, tuple((id(batch), id(camera)) for batch, camera in self.items)
+
+
+def grouped(given: Iterable[Lines]) -> list[Group]:
+    """Lines as groups."""
+    found: dict[Hashable, tuple[list[Item], Lines]] = {}
     seen: dict[int, tuple[Camera, Hashable]] = {}
-    last: Draw | None = None
+    last: Lines | None = None
     look: Hashable = None
-    for draw in draws:
-        if draw.batch.polygon_count == 0:
-            continue
-        known = seen.get(id(draw.camera))
-        if known is None:
-            camera = draw.camera.affine()
-            if not all(map(isfinite, camera.modelview.ravel().tolist())):
+    for lines in given:
+        if last is None or not _look_alike(lines, last):
+            medium = lines.medium
+            uniforms = tuple(medium.uniforms.items())
+            look = (lines.wanted, medium.shader, uniforms, medium.image, medium.pattern)
+        last = lines
+        for batch, camera in in_order(lines.bodies):
+            if batch.polygon_count == 0:
                 continue
-            known = seen[id(draw.camera)] = (camera, lens_of(camera))
-        camera, lens = known
-        if last is None or not _look_alike(draw, last):
-            look = (draw.choice, draw.shader, tuple(draw.uniforms.items()), draw.image)
-        last = draw
-        moved = draw if camera is draw.camera else replace(draw, camera=camera)
-        groups.setdefault((lens, look), []).append(moved)
-    return list(groups.values())
+            known = seen.get(id(camera))
+            if known is None:
+                affine = camera.affine()
+                if not all(map(isfinite, affine.modelview.ravel().tolist())):
+                    continue
+                known = seen[id(camera)] = (affine, lens_of(affine))
+            affine, lens = known
+            found.setdefault((lens, look), ([], lines))[0].append((batch, affine))
+    return [Group(tuple(items), _wanted(lines), lines.medium) for items, lines in found.values()]
 
 
-def _look_alike(draw: Draw, other: Draw) -> bool:
+def _wanted(lines: Lines) -> Choice | Features:
+    """Which lines, with the pattern of what they are drawn with."""
+    pattern = lines.medium.pattern
+    return lines.wanted if pattern is None else replace(lines.wanted, pattern=pattern)
+
+
+def _look_alike(lines: Lines, other: Lines) -> bool:
     """Whether their looks are the same objects, as they are of one styler."""
+    one, two = lines.medium, other.medium
     return (
-        draw.choice is other.choice
-        and draw.shader is other.shader
-        and draw.uniforms is other.uniforms
-        and draw.image is other.image
+        lines.wanted is other.wanted
+        and one.shader is two.shader
+        and one.uniforms is two.uniforms
+        and one.image is two.image
+        and one.pattern is two.pattern
     )
 
 

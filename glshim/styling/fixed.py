@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from glshim.model.batch import PolygonBatch
-from glshim.model.camera import Camera
-from glshim.styling.values import Colour
+from glshim.styling.former import accept
+from glshim.styling.values import Body, Colour
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,8 +20,8 @@ class BackFaces:
     app's own, or flat ones. Of one layer all are filled before any line is drawn.
     """
 
-    batch: PolygonBatch
-    camera: Camera
+    bodies: tuple[Body, ...]
+    """`Layer.bodies`, or some."""
     width: float
     """glLineWidth, pixels: half of it lies outside a silhouette, and front faces hide the rest."""
     ink: Colour
@@ -28,3 +29,15 @@ class BackFaces:
     """What front faces are filled with; None: they stay as they are."""
     smooth: bool = True
     """GL_LINE_SMOOTH."""
+
+
+def _former(args: tuple[Any, ...], given: dict[str, Any]) -> dict[str, Any] | None:
+    """``BackFaces(batch, camera, width, ink, fill, smooth)``."""
+    if not (args and isinstance(args[0], PolygonBatch)) and "batch" not in given:
+        return None
+    names = ("batch", "camera", "width", "ink", "fill", "smooth")
+    named = {**dict(zip(names, args, strict=False)), **given}
+    return {"bodies": (Body((named.pop("batch"),), named.pop("camera")),), **named}
+
+
+accept(BackFaces, _former, "BackFaces(layer.bodies, width, ink, ...), once a layer")

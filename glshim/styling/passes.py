@@ -1,21 +1,20 @@
 """Passes: draws of whole recovered meshes, with shaders and fixed state of a styler's own.
 
-Where `Draw` says which lines there are, a `Pass` runs a shader over all edges or triangles of the
+Where `Lines` say which lines there are, a `Pass` runs a shader over all edges or triangles of the
 meshes that were recovered from the stream, and the shader decides (McGuire & Hughes 2004).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Literal
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
 
 from glshim.geometry.crease.creases import Criterion
 from glshim.geometry.meshshaders.poses import Pose
-from glshim.model.batch import PolygonBatch
-from glshim.model.camera import Camera
+from glshim.styling.former import accept
 from glshim.styling.pictures import Image
-from glshim.styling.values import Layer, Uniform
+from glshim.styling.values import Body, Layer, Place, Uniform
 
 Comparison = Literal["always", "never", "less", "lequal", "equal", "notequal", "gequal", "greater"]
 Action = Literal["keep", "replace", "increase", "decrease", "zero"]
@@ -32,14 +31,6 @@ Actions = tuple[Action, Action, Action]
 
 VERTICES: Mapping[Primitive, int] = {"lines": 2, "triangles": 3, "quads": 4}
 """Vertices of one primitive."""
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """Batches that share a camera, and so an object space: one mesh is recovered from them."""
-
-    batches: tuple[PolygonBatch, ...]
-    camera: Camera
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,68 +78,118 @@ class State:
 
 
 @dataclass(frozen=True, slots=True)
+class Primitives:
+    """What a vertex shader makes of each element: it sees ``element()`` and ``corner()``."""
+
+    kind: Primitive = "triangles"
+    each: int = 1
+    """Primitives for each element."""
+    copies: int = 1
+    """How often everything is drawn; the shader sees ``gl_InstanceID``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Weld:
+    """Which corners are one vertex of a recovered mesh."""
+
+    tolerance: float = 0.0
+    """Object units: corners no further apart are one vertex."""
+    creases: Criterion | None = None
+    """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
+    sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""
+
+
+@dataclass(frozen=True, slots=True)
 class Sieve:
-    """Elements that surely are none of these are left out before the shader decides. Of meshes that
-    a pose moves none are. Lines, and triangles with adjacency, stay for the sake of their edges: of
-    the two at an edge the one whose corner off it has the lesser number; or where the pass has
-    creases for the bits of `glshim.geometry.meshshaders.sieve`."""
+    """Elements that surely are none of these are left out before the shader decides: edges, lines
+    and triangles with adjacency. Of meshes that a pose moves none are. Lines, and triangles with
+    adjacency, stay for the sake of their edges: of the two at an edge the one whose corner off it
+    has the lesser number; or where the pass has creases for the bits of
+    `glshim.geometry.meshshaders.sieve`."""
 
     wanted: int
     """Bits of `glshim.geometry.meshshaders.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
     angles: tuple[float, float] = (0.0, 0.0)
     """Of ridges and valleys, radians."""
+    shortest: float = 0.0
+    """Pixels: a body none of whose sides can be that long on the screen is left out."""
+
+
+HEADLIGHT: Place = (0.0, 0.0, 1.0, 0.0)
+"""A light that shines from behind the viewer, in eye space."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pass:
     """One shader over the elements of bodies."""
 
-    shader: MeshShader
     bodies: tuple[Body, ...]
-    """For element ``screen`` their camera counts alone: one triangle covers all of its window."""
+    """`Layer.bodies`, or some. For element ``screen`` their camera counts alone: one triangle
+    covers all of its window."""
+    shader: MeshShader
     element: Element
-    primitive: Primitive = "triangles"
-    primitives: int = 1
-    """Primitives for each element: the shader sees ``element()`` and ``corner()``."""
-    copies: int = 1
-    """How often everything is drawn; the shader sees ``gl_InstanceID``."""
-    state: State = State()
+    """What the shader runs over."""
+    primitives: Primitives = Primitives()
+    """What it makes of each."""
     uniforms: Mapping[str, Uniform] = field(default_factory=dict)
     image: Image | None = None
     """What the sampler ``stroke`` reads."""
-    light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
-    """Where the light is in eye space, homogeneous (`Layer.light`, or a styler's own)."""
+    light: Place | None = None
+    """Where the ``light`` of the shader is in eye space: `Layer.light`, `HEADLIGHT`, or a styler's
+    own. None: the shader reads none."""
+    state: State = State()
+    """Depth test, blending, culling, stencil."""
+    weld: Weld = Weld()
+    """Which corners are one vertex."""
     pose: Pose | None = None
     """How the shader moves vertices before anything else; None: as the app sent them."""
     sieve: Sieve | None = None
-    """For edges, lines and triangles with adjacency: which of them may be left out; None: none."""
-    creases: Criterion | None = None
-    """Vertices are topology vertices, which creases part: ``normal(v)`` is the app's own where it
-    sent any, and shaders see creases (``mesh.glsl``). Not with a pose."""
-    least: float = 0.0
-    """Pixels: a body none of whose sides can be that long on the screen is left out. Not with a
-    pose."""
-    tolerance: float = 0.0
-    """Object units: corners no further apart are one vertex."""
+    """Which elements are left out before; None: none."""
     buffer: bool = False
     """Draws into the G-buffer: four floats a pixel, nothing to begin with, and a depth buffer of
     its own, at the far plane. Passes after it read it; another run of such passes begins anew."""
-    sheet: int = 0
-    """Passes that follow each other on one sheet share colour, depth and stencil; at the first of
-    another one what was drawn is laid over the window, and all three begin anew."""
+    coat: int = 0
+    """Passes that follow each other in one coat share colour, depth and stencil; at the first of
+    another one what was drawn is laid over the window, and all three begin anew. The number tells
+    neighbours apart: what is given first is drawn first, whatever its coat."""
+
+
+_OLD = (
+    "shader", "bodies", "element", "primitive", "primitives", "copies", "state", "uniforms",
+    "image", "light", "pose", "sieve", "creases", "least", "tolerance", "buffer", "sheet",
+)  # fmt: skip
+_GONE = {"primitive", "copies", "creases", "least", "tolerance", "sheet"}
+
+
+def _former(args: tuple[Any, ...], given: dict[str, Any]) -> dict[str, Any] | None:
+    """``Pass(shader, bodies, element, primitive, primitives, copies, ...)``: flat, and with a light
+    that was the viewer's where none was given."""
+    if not (args and isinstance(args[0], MeshShader)) and _GONE.isdisjoint(given):
+        return None
+    names = _OLD if args and isinstance(args[0], MeshShader) else ("bodies", "shader", "element")
+    if len(args) > len(names):
+        return None
+    named = {"light": HEADLIGHT, **dict(zip(names, args, strict=False)), **given}
+
+    def taken(**renamed: str) -> dict[str, Any]:
+        return {new: named.pop(old) for new, old in renamed.items() if old in named}
+
+    made = taken(kind="primitive", each="primitives", copies="copies")
+    welded = taken(tolerance="tolerance", creases="creases")
+    least = taken(shortest="least")
+    if made:
+        named["primitives"] = Primitives(**made)
+    if welded:
+        named["weld"] = Weld(**welded)
+    if named.get("sieve") is not None:
+        named["sieve"] = replace(named["sieve"], **least)
+    coat = taken(coat="sheet")
+    return {**named, **coat}
+
+
+accept(Pass, _former, "Pass(bodies, shader, element, Primitives(...), weld=Weld(...), coat=...)")
 
 
 def bodies(layer: Layer) -> tuple[Body, ...]:
-    """The batches of a layer by camera, in the order of their first."""
-    found: dict[object, tuple[list[PolygonBatch], Camera]] = {}
-    known: dict[int, object] = {}
-    for batch, camera in layer.items:
-        key = known.get(id(camera))
-        if key is None:
-            key = known[id(camera)] = (
-                camera.modelview.tobytes(), camera.projection.tobytes(), camera.viewport,
-                camera.depth_range, camera.front_ccw, camera.scissor, camera.clip_planes,
-                camera.stencil,
-            )  # fmt: skip
-        found.setdefault(key, ([], camera))[0].append(batch)
-    return tuple(Body(tuple(batches), camera) for batches, camera in found.values())
+    """`Layer.bodies`, as stylers wrote it before that was there."""
+    return layer.bodies

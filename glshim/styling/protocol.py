@@ -1,4 +1,4 @@
-"""What a styler is, what it gets (`Layer`) and what it gives (`Draw`, `Pass`, `BackFaces`).
+"""What a styler is, what it gets (`Layer`) and what it gives (`Lines`, `Pass`, `BackFaces`).
 
 A styler is a frozen dataclass whose fields are its options; it says what to draw and never
 calls GL::
@@ -9,10 +9,9 @@ calls GL::
         size: float = option(4.0, help="diameter", low=1, high=64, unit="px")
         ink: Colour = option("#000000", help="colour of the dots")
 
-        def draws(self, layer: Layer) -> Iterable[Draw]:
-            for batch, camera in layer.items:
-                uniforms = {"size": self.size, "ink": self.ink}
-                yield Draw(batch, camera, Choice(True, None), DOTS, uniforms)
+        def draws(self, layer: Layer) -> list[Lines]:
+            dots = Medium(DOTS, {"size": self.size, "ink": self.ink})
+            return [Lines(layer.bodies, Choice(silhouettes=True), dots)]
 """
 
 from __future__ import annotations
@@ -22,25 +21,20 @@ import math
 import os
 import re
 from abc import abstractmethod
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import MISSING, Field, dataclass, field, fields
-from typing import Any, ClassVar, Literal, Protocol
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import Any, ClassVar, Literal
 
 from glshim.errors import StyleError
-from glshim.model.batch import PolygonBatch
-from glshim.model.camera import Camera
 from glshim.styling.fixed import BackFaces
+from glshim.styling.lines import Draw, Expand, Expansion, Lines, Medium, Shader
 from glshim.styling.passes import Pass
-from glshim.styling.pictures import Image, read_image
+from glshim.styling.pictures import read_image
 from glshim.styling.values import Colour, Layer, Uniform
-from glshim.styling.wishes import Choice, Features
 
 __all__ = [
-    "BackFaces", "Colour", "Draw", "Expand", "Expansion", "Layer", "Option", "Pass", "Shader",
-    "Styler", "Uniform", "format_colour", "option", "options_of", "parse_colour",
+    "BackFaces", "Colour", "Draw", "Expand", "Expansion", "Layer", "Lines", "Medium", "Option",
+    "Pass", "Shader", "Styler", "Uniform", "format_colour", "option", "options_of", "parse_colour",
 ]  # fmt: skip
 
 Kind = Literal["number", "colour", "switch", "choice", "choice or colour", "choice or picture"]
@@ -203,72 +197,6 @@ def option(
     return field(default=default, metadata={_KEY: described})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Expansion:
-    """Line records as the vertices of triangle strips, a strip a line that is drawn."""
-
-    places: NDArray[np.floating[Any]]
-    """(N, V, 2) pixels of the framebuffer."""
-    values: Mapping[str, NDArray[np.floating[Any]]]
-    """(N, 1..4) by the name of a ``PASSED`` float or vector: what the fragments of a line get,
-    the same in all of it."""
-
-
-class Expand(Protocol):
-    """What a shader's `vertex` does, in numpy. Pure, and a function of a module."""
-
-    def __call__(
-        self,
-        records: NDArray[np.float32],
-        camera: Camera,
-        uniforms: Mapping[str, Uniform],
-        *,
-        hair: float,
-        blur: float,
-    ) -> Expansion:
-        """Strips of records (L, 21), see `glshim.model.lines.RECORD`. The camera's depth
-        range is turned: greater is farther. hair: a few steps of the depth buffer; blur: pixels by
-        which depths may not be those of pixel centres."""
-
-
-@dataclass(frozen=True, slots=True)
-class Shader:
-    """GLSL texts (no ``#version`` line) that turn one line record into one triangle strip.
-
-    `vertex` follows the prelude ``glshim/outputs/gl/shaders/line.glsl``, which declares the record
-    and the camera and offers the offset formulas; `fragment` follows ``depth.glsl``, which gives
-    the layer's finished depth. The ink that it writes is premultiplied; where strokes overlap each
-    channel keeps its greatest value.
-    """
-
-    name: str
-    vertex: str
-    fragment: str
-    vertices: int
-    """Vertices of the strip of one edge."""
-    expand: Expand | None = None
-    """`vertex` for OpenGL before 3.3, which has the `fragment` alone, as GLSL 1.20. None: there the
-    shader draws nothing."""
-
-
-@dataclass(frozen=True, slots=True)
-class Draw:
-    """Extra geometry: `shader` run over the chosen sides of the polygons of `batch`."""
-
-    batch: PolygonBatch
-    camera: Camera
-    choice: Choice | Features
-    """Which lines; by what polygons show, or by the mesh that they make."""
-    shader: Shader
-    uniforms: Mapping[str, Uniform]
-    """The shader's own uniforms by name."""
-    image: Image | None = None
-    """What the fragment shader's sampler ``stroke`` reads."""
-    sheet: int = 0
-    """Draws that follow each other on one sheet keep of each pixel the most ink; those on the next
-    one go over it."""
-
-
 @dataclass(frozen=True)
 class Styler:
     """Base of all stylers. Options that are not allowed raise `StyleError` at construction."""
@@ -303,7 +231,7 @@ class Styler:
         return fill
 
     @abstractmethod
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass | BackFaces]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass | BackFaces]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""
         raise NotImplementedError
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
@@ -11,16 +13,38 @@ from glshim.model.lights import Lighting
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
 Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
+Place = tuple[float, float, float, float]
+"""Homogeneous: a point where w = 1, the direction towards one at infinity where w = 0."""
+Item = tuple[PolygonBatch, Camera]
 
 
 @dataclass(frozen=True, slots=True)
+class Body:
+    """Batches that share a camera, and so an object space: one mesh is recovered from them."""
+
+    batches: tuple[PolygonBatch, ...]
+    camera: Camera
+    order: tuple[int, ...] = ()
+    """When the app drew each batch, counted through the layer; empty: body by body."""
+
+
+def in_order(bodies: Iterable[Body]) -> list[Item]:
+    """The batches of bodies, each with its camera, in the order in which the app drew them."""
+    items = [(batch, body.camera) for body in bodies for batch in body.batches]
+    order = [place for body in bodies for place in body.order]
+    if len(order) != len(items):
+        return items
+    return [items[k] for k in sorted(range(len(items)), key=order.__getitem__)]
+
+
+@dataclass(frozen=True)
 class Layer:
     """Everything drawn until the depth buffer or the camera stops meaning the same thing."""
 
-    items: tuple[tuple[PolygonBatch, Camera], ...]
+    items: tuple[Item, ...]
     """The batches in the order of drawing, each with the camera that it was drawn with."""
-    light: tuple[float, float, float, float] = (0.0, 0.0, 1.0, 0.0)
-    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0."""
+    light: Place = (0.0, 0.0, 1.0, 0.0)
+    """Where GL_LIGHT0 is in eye space."""
     over: bool = False
     """An earlier layer of the frame lies below."""
     fresh: bool = True
@@ -34,3 +58,23 @@ class Layer:
     scale: float = 1.0
     """Pixels for one of the window: more than 1 in a large shot, for lengths that a style has of
     its own. Its options in pixels are scaled already."""
+
+    @cached_property
+    def bodies(self) -> tuple[Body, ...]:
+        """The batches by camera, in the order of their first."""
+        found: dict[object, tuple[list[PolygonBatch], Camera, list[int]]] = {}
+        known: dict[int, object] = {}
+        for place, (batch, camera) in enumerate(self.items):
+            key = known.get(id(camera))
+            if key is None:
+                key = known[id(camera)] = (
+                    camera.modelview.tobytes(), camera.projection.tobytes(), camera.viewport,
+                    camera.depth_range, camera.front_ccw, camera.scissor, camera.clip_planes,
+                    camera.stencil,
+                )  # fmt: skip
+            batches, _, order = found.setdefault(key, ([], camera, []))
+            batches.append(batch)
+            order.append(place)
+        return tuple(
+            Body(tuple(batches), camera, tuple(order)) for batches, camera, order in found.values()
+        )

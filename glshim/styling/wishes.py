@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from glshim.styling.former import accept, by_order
+
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
@@ -19,12 +21,12 @@ class Pattern:
     the pattern. None: nobody asks (`glshim.linework.hand`)."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
     """Which lines a style wants, by what polygons show."""
 
-    silhouettes: bool
-    ridge_angle: float | None
+    silhouettes: bool = False
+    ridge_angle: float | None = None
     """Greatest dihedral angle of a ridge in radians, or None for no ridges."""
     valley_angle: float | None = None
     """Dihedral angle in radians above which an edge is a valley, or None for no valleys."""
@@ -35,14 +37,14 @@ class Choice:
     """What repeats along strokes (the last floats of a record), or None for plain lines."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Features:
     """Which feature edges a style wants, of the meshes that polygons make."""
 
-    contours: bool
-    ridge_angle: float | None
+    contours: bool = False
+    ridge_angle: float | None = None
     """A ridge's dihedral angle is less, radians; None for no ridges."""
-    valley_angle: float | None
+    valley_angle: float | None = None
     """A valley's dihedral angle is more, radians; None for no valleys."""
     marked: bool = False
     boundary: bool = False
@@ -55,3 +57,20 @@ class Features:
     """Distance in object units at which positions count as one vertex."""
     pattern: Pattern | None = None
     """What repeats along strokes, or None."""
+
+
+accept(
+    Choice,
+    by_order(
+        "silhouettes", "ridge_angle", "valley_angle", "intersections", "connectivity", "pattern"
+    ),
+    "Choice(silhouettes=..., ridge_angle=..., ...), by name",
+)
+accept(
+    Features,
+    by_order(
+        "contours", "ridge_angle", "valley_angle", "marked", "boundary", "smooth", "suggestive",
+        "tolerance", "pattern",
+    ),
+    "Features(contours=..., ridge_angle=..., ...), by name",
+)  # fmt: skip

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from stylers import options
 from stylers.blueprint.dimensions import dimensions
 from stylers.hand import Hand, strokes
@@ -44,7 +44,7 @@ class Blueprint(Styler):
     ink: Colour = option("#ffffff", help="colour of the lines")  # noqa: RUF009
     paper: Colour = option("#000080", help="colour of the paper")  # noqa: RUF009
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """The paper, every line, and dimensions over them."""
         faint = tuple(0.9 * p + 0.1 * i for p, i in zip(self.paper, self.ink, strict=True))
         red, green, blue = faint
@@ -63,5 +63,5 @@ class Blueprint(Styler):
         yield from strokes(hand, layer)
         if self.dimensions:
             yield from dimensions(
-                hand, layer, frequency=self.dimensions, ink=self.ink, sheet=hand.strokes
+                hand, layer, frequency=self.dimensions, ink=self.ink, coat=hand.strokes
             )

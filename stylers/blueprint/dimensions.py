@@ -9,8 +9,8 @@ from importlib.resources import files
 import numpy as np
 
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Draw, Layer, Shader
-from stylers.hand import Hand, features, uniforms
+from glshim.styling.protocol import Colour, Layer, Lines, Medium, Shader
+from stylers.hand import Hand, features, pattern, uniforms
 
 _CHARACTERS = "0123456789."
 _WIDE, _HIGH = 28, 44
@@ -48,13 +48,12 @@ def characters() -> Image:
 
 
 def dimensions(
-    hand: Hand, layer: Layer, *, frequency: float, ink: Colour, sheet: int
-) -> Iterator[Draw]:
+    hand: Hand, layer: Layer, *, frequency: float, ink: Colour, coat: int
+) -> Iterator[Lines]:
     """Of the edges that the hand draws a share, with their lengths in the units of eye space: those
     of the program's world."""
-    wanted = features(hand)
     drawn = {
         **uniforms(hand), "frequency": frequency, "least": LEAST, "rule": ink, "opacity": 0.85,
     }  # fmt: skip
-    for batch, camera in layer.items:
-        yield Draw(batch, camera, wanted, _shader(), drawn, characters(), sheet=sheet)
+    medium = Medium(_shader(), drawn, characters(), pattern(hand))
+    yield Lines(layer.bodies, features(hand), medium, coat=coat)

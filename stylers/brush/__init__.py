@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from stylers import options
 from stylers.brush.paint import Paint, painted
 from stylers.hand import Hand, strokes
@@ -58,7 +58,7 @@ class Brush(Styler):
     )
     dab: float = option(13.0, help="length of a dab of paint", low=3.0, high=64.0, unit="px")
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
         image, length, coloured = brush(self.brush, self.width)
         hand = Hand(

@@ -12,8 +12,9 @@ from importlib.resources import files
 from typing import ClassVar
 
 from glshim.model.lights import Light
-from glshim.styling.passes import Body, Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, Uniform, option
+from glshim.styling.values import Body
 from stylers import options
 from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
@@ -92,7 +93,7 @@ class Cartoon(Styler):
         """The app's paints, which bands of light go over."""
         return "paint" if self.textures == "app" else "colours"
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Bands, and ink over them."""
         lit, unlit = by_light(layer, self.shade_unlit)
         head = (UPPER_LEFT,)

@@ -15,9 +15,10 @@ from typing import Any, ClassVar, cast
 
 from glshim.geometry.crease.creases import Criterion
 from glshim.geometry.meshshaders.sieve import CREASE, SMOOTH
-from glshim.styling.passes import Body, MeshShader, Pass, Sieve, State, bodies
+from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from glshim.styling.values import Body
 from stylers import options
 from stylers.strokes import made
 
@@ -113,21 +114,23 @@ class Crease(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Triangles with adjacency, of which geometry shaders make the quads."""
-        found = bodies(layer)
+        found = layer.bodies
         if not found:
             return
         if self.silhouettes:
             if self.hidden_by == "back_faces":
-                yield Pass(BACK, found, "surface", state=_NEAREST, buffer=True,
-                           creases=self._criterion, tolerance=self.tolerance)  # fmt: skip
+                yield Pass(found, BACK, "surface", state=_NEAREST, buffer=True, weld=self._weld)
             plain = self.hidden_by == "surfaces"
             yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH, plain)
         if self.creases:
             yield from self._lines(CREASES, found, self.crease_width, CREASE, self.spine)
 
     @property
-    def _criterion(self) -> Criterion:
-        return Criterion(cast(Any, self.rule), radians(self.angle), radians(self.least_angle))
+    def _weld(self) -> Weld:
+        rule = cast(Any, self.rule)
+        return Weld(
+            self.tolerance, Criterion(rule, radians(self.angle), radians(self.least_angle))
+        )
 
     def _lines(
         self,
@@ -156,10 +159,10 @@ class Crease(Styler):
             "hidden_share": 0.0,
         }
         for short, shader in enumerate(shaders if apart else shaders[:1]):
+            shortest = _SHORTEST if apart and not short else 0.0
             yield Pass(
-                shader, found, "adjacency", state=_INK, uniforms=uniforms, image=image,
-                sieve=Sieve(wanted), creases=self._criterion, tolerance=self.tolerance,
-                least=_SHORTEST if apart and not short else 0.0,
+                found, shader, "adjacency", state=_INK, uniforms=uniforms, image=image,
+                sieve=Sieve(wanted, shortest=shortest), weld=self._weld,
             )  # fmt: skip
 
     def _stroke(self, width: float) -> tuple[Image | None, float, int]:

@@ -14,7 +14,7 @@ from glshim.geometry.raskar import INWARD
 from glshim.model.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from glshim.styling.protocol import Colour, Layer, Lines, Medium, Styler, Uniform, option
 from glshim.styling.wishes import Features, Pattern
 from stylers import options
 from stylers.edge_mesh.paper import PaperLook, paper_passes
@@ -121,7 +121,7 @@ class EdgeMesh(Styler):
         """Marked edges part them."""
         return self.marked
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Tones, and over them strokes of the chains of all batches, or passes over them. Batches
         that share a camera are one mesh."""
         yield from tone_passes(self.tone, self.paper, self.contour_ink, layer)
@@ -132,19 +132,17 @@ class EdgeMesh(Styler):
         if self.outer and self.contours:
             yield from paper_passes(self._silhouettes(), layer)
 
-    def _chained(self, layer: Layer) -> Iterable[Draw]:
-        """One draw a batch."""
+    def _chained(self, layer: Layer) -> Iterable[Lines]:
         pattern, image, tinted = self._stroke()
         wanted = Features(
-            self.contours and not self.outer,
-            radians(self.ridge_angle + _GRAIN) if self.ridges else None,
-            radians(self.valley_angle) if self.valleys else None,
+            contours=self.contours and not self.outer,
+            ridge_angle=radians(self.ridge_angle + _GRAIN) if self.ridges else None,
+            valley_angle=radians(self.valley_angle) if self.valleys else None,
             marked=self.marked,
             boundary=self.boundary,
             smooth=self.smooth,
             suggestive=self.suggestive,
             tolerance=self.tolerance,
-            pattern=pattern,
         )
         uniforms: dict[str, Uniform] = {
             "widths": self._widths,
@@ -158,8 +156,7 @@ class EdgeMesh(Styler):
             ),
             "dashes": self._dashes(pattern),
         }
-        for batch, camera in layer.items:
-            yield Draw(batch, camera, wanted, SHADER, uniforms, image)
+        yield Lines(layer.bodies, wanted, Medium(SHADER, uniforms, image, pattern))
 
     def _look(self) -> PaperLook:
         """The options as the paper's passes have them."""

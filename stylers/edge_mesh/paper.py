@@ -12,9 +12,17 @@ from math import cos, radians
 from typing import Literal
 
 from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
-from glshim.styling.passes import Actions, Body, MeshShader, Pass, Sieve, State, Stencil, bodies
+from glshim.styling.passes import (
+    Actions,
+    MeshShader,
+    Pass,
+    Primitives,
+    Sieve,
+    State,
+    Stencil,
+)
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.protocol import Colour, Layer, Uniform
+from glshim.styling.values import Body, Colour, Layer, Uniform
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
 """The order of what `PaperLook` says of each kind."""
@@ -70,7 +78,7 @@ class PaperLook:
 
 def paper_passes(look: PaperLook, layer: Layer) -> Iterable[Pass]:
     """Models with a depth offset, hidden lines where they are asked for, then visible ones."""
-    models = bodies(layer)
+    models = layer.bodies
     wanted = sum(bit for bit, on in zip(KINDS, look.drawn, strict=True) if on)
     if not models or not wanted:
         return
@@ -89,7 +97,7 @@ def _recede(look: PaperLook, models: tuple[Body, ...]) -> Pass:
         Body((), replace(camera, scissor=None, depth_range=(0.0, 1.0))) for camera in ports.values()
     )
     state = State(depth="always", writes_depth=True, writes_colour=False, blend="off")
-    return Pass(RECEDE, screens, "screen", state=state, uniforms={"factor": _factor(look)})
+    return Pass(screens, RECEDE, "screen", state=state, uniforms={"factor": _factor(look)})
 
 
 def _silhouettes(look: PaperLook, models: tuple[Body, ...]) -> Iterator[Pass]:
@@ -100,7 +108,7 @@ def _silhouettes(look: PaperLook, models: tuple[Body, ...]) -> Iterator[Pass]:
         counted = (counted + 1) % 255
         every: Actions = ("keep", "replace" if look.hidden != "none" else "keep", "replace")
         yield Pass(
-            MASK, (body,), "triangles",
+            (body,), MASK, "triangles",
             state=State(
                 writes_colour=False, blend="off", clears_stencil=counted == 0,
                 stencil=Stencil("always", counted, every, every),
@@ -126,17 +134,19 @@ def _shapes(
     uniforms = _uniforms(look, wanted, hidden=hidden)
     sieve = Sieve(wanted, (radians(look.ridge_angle), radians(look.valley_angle)))
     if look.strokes == "thin":
-        yield Pass(LINE, models, "edges", "lines", state=state, uniforms=uniforms, sieve=sieve)
+        yield Pass(
+            models, LINE, "edges", Primitives("lines"), state=state, uniforms=uniforms, sieve=sieve
+        )
         return
     shader = ROUND if look.caps == "round" else QUAD
     yield Pass(
-        shader, models, "edges", "quads", state=state, uniforms=uniforms, image=look.image,
-        sieve=sieve,
+        models, shader, "edges", Primitives("quads"), state=state, uniforms=uniforms,
+        image=look.image, sieve=sieve,
     )  # fmt: skip
     if look.caps == "paper":
         yield Pass(
-            CAP, models, "edges", "triangles", 2, state=state, uniforms=uniforms, image=look.image,
-            sieve=sieve,
+            models, CAP, "edges", Primitives("triangles", 2), state=state, uniforms=uniforms,
+            image=look.image, sieve=sieve,
         )  # fmt: skip
 
 

@@ -15,9 +15,9 @@ from importlib.resources import files
 import numpy as np
 
 from glshim.model.camera import Camera
-from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
+from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Layer, Uniform
+from glshim.styling.values import Body, Colour, Layer, Uniform
 from stylers.strokes.fields import Doubles, even, noise
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
@@ -28,7 +28,7 @@ _SIDE = 512
 """Pixels after which the paper's grain repeats."""
 _STATE = State(depth="always", blend="off")
 _UNDER = -1
-"""The sheet: lines go over it."""
+"""The coat: lines go over it."""
 
 
 def _text(name: str) -> str:
@@ -46,13 +46,13 @@ _SHADERS = {
 
 
 def over_windows(
-    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], sheet: int
+    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int
 ) -> Pass:
     """A `tone_shader` over all of every window of a layer."""
-    windows = {body.camera.viewport: body for body in bodies(layer)}
+    windows = {body.camera.viewport: body for body in layer.bodies}
     screens = tuple(map(_whole, windows.values()))
     return Pass(
-        shader, screens, "screen", state=_STATE, uniforms=uniforms, image=grain(), sheet=sheet
+        screens, shader, "screen", state=_STATE, uniforms=uniforms, image=grain(), coat=coat
     )
 
 

@@ -14,7 +14,7 @@ from math import pi
 from typing import ClassVar
 
 from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR
-from glshim.styling.passes import MeshShader, Pass, Sieve, State, bodies
+from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
 from stylers import options
 from stylers.fins.lighting import Lighting, relit
@@ -98,7 +98,7 @@ class Fins(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Triangles with adjacency, of which the geometry shader makes fins."""
-        found = bodies(layer)
+        found = layer.bodies
         if not found:
             return
         if self.fill in ("lit", "cel"):
@@ -116,9 +116,10 @@ class Fins(Styler):
         }
         state = State(depth="always", blend="greatest")
         for short, shader in enumerate(SIDES if self.spine else SIDES[:1]):
+            shortest = 0.0 if short or not self.spine else _SHORTEST
             yield Pass(
-                shader, found, "lines", state=state, uniforms=uniforms, sieve=_CONTOURS,
-                tolerance=self.tolerance, least=0.0 if short or not self.spine else _SHORTEST,
+                found, shader, "lines", state=state, uniforms=uniforms,
+                sieve=replace(_CONTOURS, shortest=shortest), weld=Weld(self.tolerance),
             )  # fmt: skip
 
 

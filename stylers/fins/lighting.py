@@ -10,11 +10,10 @@ from dataclasses import dataclass
 from importlib.resources import files
 from math import isfinite
 
-from glshim.styling.passes import Body, Pass
-from glshim.styling.protocol import Colour, Uniform
+from glshim.styling.passes import Pass
+from glshim.styling.values import Body, Colour, Place, Uniform
 from stylers.shading import lenses, lit_passes, screen_shader
 
-Place = tuple[float, float, float, float]
 SURFACE = screen_shader(
     "fins surface", (files(__package__) / "surface.frag.glsl").read_text("utf-8"), lamps=False
 )

@@ -13,8 +13,8 @@ from importlib.resources import files
 from math import ceil
 from typing import ClassVar
 
-from glshim.styling.passes import MeshShader, Pass, State, bodies
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from glshim.styling.passes import MeshShader, Pass, Primitives, State
+from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
 from stylers import options
 from stylers.fur.scale import scale_of
 
@@ -60,10 +60,10 @@ class Fur(Styler):
     )  # fmt: skip
     fill: str | Colour = options.fill()  # noqa: RUF009
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Pass]:
         """The fins of each body, and over them its shells from the skin outwards."""
         own = (0.0, 0.0, 0.0, 0.0) if isinstance(self.colour, str) else (*self.colour, 1.0)
-        for body in bodies(layer):
+        for body in layer.bodies:
             scale = scale_of(body, self.length, 100.0 / self.density)
             if scale is None:
                 continue
@@ -83,10 +83,10 @@ class Fur(Styler):
             }
             if self.fins:
                 yield Pass(
-                    FINS, (body,), "edges", "quads", _QUADS, state=_STATE, uniforms=uniforms,
-                    light=layer.light,
+                    (body,), FINS, "edges", Primitives("quads", _QUADS), state=_STATE,
+                    uniforms=uniforms, light=layer.light,
                 )  # fmt: skip
             yield Pass(
-                SHELLS, (body,), "triangles", copies=shells, state=_STATE, uniforms=uniforms,
-                light=layer.light,
+                (body,), SHELLS, "triangles", Primitives(copies=shells), state=_STATE,
+                uniforms=uniforms, light=layer.light,
             )  # fmt: skip

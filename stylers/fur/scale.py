@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from glshim.styling.passes import Body
+from glshim.styling.values import Body
 
 _MOST = 0.4
 """Share of its object's radius that a hair may be long."""

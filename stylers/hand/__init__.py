@@ -16,7 +16,7 @@ from math import cos, floor, radians, sin
 
 from glshim.model.lines import GROUPS
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Draw, Layer, Shader, Uniform
+from glshim.styling.protocol import Colour, Layer, Lines, Medium, Shader, Uniform
 from glshim.styling.wishes import Choice, Features, Pattern
 from stylers.crossings import looked_for
 from stylers.hand.expansion import expand
@@ -108,34 +108,34 @@ class Hand:
 def features(hand: Hand) -> Features:
     """The lines that are drawn, as strokes from corner to corner."""
     return Features(
-        True,
-        radians(180.0 - hand.crease_angle + _GRAIN),
-        radians(180.0 + hand.crease_angle),
+        contours=True,
+        ridge_angle=radians(180.0 - hand.crease_angle + _GRAIN),
+        valley_angle=radians(180.0 + hand.crease_angle),
         boundary=True,
         smooth=hand.smooth,
         suggestive=hand.suggestive,
         tolerance=hand.tolerance,
-        pattern=_pattern(hand),
     )
 
 
-def _pattern(hand: Hand) -> Pattern:
+def pattern(hand: Hand) -> Pattern:
+    """Along which its motions lie, from corner to corner."""
     return Pattern((hand.period,) * GROUPS, 0.0, radians(hand.corner))
 
 
-def strokes(hand: Hand, layer: Layer) -> Iterator[Draw]:
-    """Every line so often as the hand draws it, each time on a sheet of its own."""
+def strokes(hand: Hand, layer: Layer) -> Iterator[Lines]:
+    """Every line so often as the hand draws it, each time in a coat of its own."""
     choices: list[Choice | Features] = [features(hand)]
     if looked_for(hand.intersections, layer):
-        choices.append(Choice(False, None, intersections=True, pattern=_pattern(hand)))
+        choices.append(Choice(intersections=True))
     common = uniforms(hand)
     tick = floor(layer.time * hand.boil) % 997
     for number in range(hand.strokes):
         seed = float((31 * hand.seed + 7 * number + 13 * tick) % 1009)
         drawn = {**common, "jitter_seed": seed / 101.0}
+        medium = Medium(shader(), drawn, hand.image, pattern(hand))
         for choice in choices:
-            for batch, camera in layer.items:
-                yield Draw(batch, camera, choice, shader(), drawn, hand.image, sheet=number)
+            yield Lines(layer.bodies, choice, medium, coat=number)
 
 
 def uniforms(hand: Hand) -> dict[str, Uniform]:

@@ -9,12 +9,12 @@ from importlib.resources import files
 from math import floor, isfinite, radians
 
 from glshim.geometry.crease.creases import Criterion
-from glshim.styling.passes import MeshShader, Pass, State, bodies
-from glshim.styling.protocol import Colour, Layer, Uniform
+from glshim.styling.passes import MeshShader, Pass, State, Weld
+from glshim.styling.values import Colour, Layer, Uniform
 from stylers.edge_mesh.tones import grain
 
 ON = -1
-"""The sheet: over the paper, under the lines."""
+"""The coat: over the paper, under the lines."""
 _CREASES = Criterion("either", radians(50.0), radians(1.0))
 """Light breaks where the app's normals do, or where triangles meet at an angle."""
 _STATE = State(depth="lequal", blend="off", offset=(-1.0, -4.0))
@@ -65,6 +65,6 @@ def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:
         "jitter_seed": float(floor(layer.time * look.boil) % 61),
     }  # fmt: skip
     yield Pass(
-        _shader(), bodies(layer), "surface", state=_STATE, uniforms=uniforms, image=grain(),
-        creases=_CREASES, sheet=ON, tolerance=look.tolerance,
+        layer.bodies, _shader(), "surface", state=_STATE, uniforms=uniforms, image=grain(),
+        weld=Weld(look.tolerance, _CREASES), coat=ON,
     )  # fmt: skip

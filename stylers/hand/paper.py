@@ -12,7 +12,7 @@ from glshim.styling.protocol import Colour, Layer, Uniform
 from stylers.edge_mesh.tones import over_windows, tone_shader
 
 _UNDER = -2
-"""The sheet: hatching and strokes go over it."""
+"""The coat: hatching and strokes go over it."""
 
 
 @dataclass(frozen=True, slots=True)

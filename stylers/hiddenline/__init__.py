@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from stylers import options
 from stylers.crossings import crossings
 from stylers.edge_mesh import EdgeMesh
@@ -49,7 +49,7 @@ class HiddenLine(Styler):
         """The option `polygons`."""
         return self.polygons
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper behind the polygons, and lines."""
         yield from tone_passes("app", self.paper, self.line, layer)
         yield from self._lines.draws(layer)

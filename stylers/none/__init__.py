@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
-from glshim.styling.protocol import Draw, Layer, Styler
+from glshim.styling.protocol import Layer, Lines, Styler
 
 
 @dataclass(frozen=True)
@@ -16,6 +16,6 @@ class NoStyle(Styler):
     name: ClassVar[str] = "none"
     wants_polygons: ClassVar[bool] = False
 
-    def draws(self, layer: Layer) -> Iterable[Draw]:
+    def draws(self, layer: Layer) -> Iterable[Lines]:
         """Nothing."""
         return ()

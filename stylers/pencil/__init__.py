@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from stylers import options
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
@@ -51,7 +51,7 @@ class Pencil(Styler):
         """Light breaks where they do."""
         return self.hatching > 0.0
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured), layer)
         yield from hatched(
             Hatching(

@@ -15,7 +15,16 @@ from typing import ClassVar
 from glshim.geometry.raskar import INWARD
 from glshim.model.lines import GROUPS
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Draw, Layer, Shader, Styler, Uniform, option
+from glshim.styling.protocol import (
+    Colour,
+    Layer,
+    Lines,
+    Medium,
+    Shader,
+    Styler,
+    Uniform,
+    option,
+)
 from glshim.styling.wishes import Choice, Pattern
 from stylers import options, strokes
 from stylers.raskar.expansion import expand
@@ -82,19 +91,18 @@ class Raskar(Styler):
     ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
     fill: str | Colour = options.fill()  # noqa: RUF009
 
-    def draws(self, layer: Layer) -> Iterable[Draw]:
-        """One draw a batch: rings around back-facing polygons, strokes on front-facing ones."""
+    def draws(self, layer: Layer) -> Iterable[Lines]:
+        """Rings around back-facing polygons, strokes on front-facing ones."""
         if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
             return
         ridge, valley = radians(self.ridge_angle), radians(self.valley_angle)
         pattern, image, tinted = self._stroke()
         choice = Choice(
-            self.silhouettes,
-            ridge if self.ridges else None,
-            valley if self.valleys else None,
-            self.intersections,
-            self.connectivity,
-            pattern,
+            silhouettes=self.silhouettes,
+            ridge_angle=ridge if self.ridges else None,
+            valley_angle=valley if self.valleys else None,
+            intersections=self.intersections,
+            connectivity=self.connectivity,
         )
         uniforms: dict[str, Uniform] = {
             "widths": (*self._widths, *(GROUPS - 4) * (1.0,)),
@@ -106,8 +114,7 @@ class Raskar(Styler):
             "tinted": tinted,
             "dashes": 0.0,
         }
-        for batch, camera in layer.items:
-            yield Draw(batch, camera, choice, SHADER, uniforms, image)
+        yield Lines(layer.bodies, choice, Medium(SHADER, uniforms, image, pattern))
 
     @property
     def _widths(self) -> tuple[float, float, float, float]:

@@ -15,12 +15,12 @@ import numpy as np
 
 from glshim.geometry.crease.creases import Criterion
 from glshim.model.lights import Light
-from glshim.styling.passes import Body, MeshShader, Pass, State, bodies
-from glshim.styling.protocol import Layer, Uniform
+from glshim.styling.passes import MeshShader, Pass, State, Weld
+from glshim.styling.values import Body, Layer, Uniform
 
 _HERE = files(__package__)
 UNDER = -1
-"""The sheet: lines go over it."""
+"""The coat: lines go over it."""
 MOST_LAMPS = 8
 _CREASES = Criterion("either", radians(50.0), radians(1.0))
 """Light breaks where the app's normals do, or where triangles meet at an angle: a cube that came
@@ -60,10 +60,10 @@ def lit_passes(
         alike = tuple(body for body in lens if body.camera.gleams is gleams)
         if alike:
             yield Pass(
-                _BUFFER, alike, "surface", state=_NEAREST, creases=_CREASES, buffer=True,
-                sheet=UNDER, tolerance=tolerance, uniforms={"gleams": float(gleams)},
+                alike, _BUFFER, "surface", state=_NEAREST, weld=Weld(tolerance, _CREASES),
+                buffer=True, coat=UNDER, uniforms={"gleams": float(gleams)},
             )  # fmt: skip
-    yield Pass(shader, lens[:1], "screen", state=_OVER_ALL, uniforms=uniforms, sheet=UNDER)
+    yield Pass(lens[:1], shader, "screen", state=_OVER_ALL, uniforms=uniforms, coat=UNDER)
 
 
 def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
@@ -89,7 +89,7 @@ def by_light(layer: Layer, shade_unlit: str) -> tuple[tuple[Body, ...], tuple[Bo
                 item for item in layer.items
                 if (item[1].lit, item[1].gleams) == (lit, gleams) and item[1].textured in textured
             )  # fmt: skip
-            found += bodies(replace(layer, items=items))
+            found += replace(layer, items=items).bodies
         return found
 
     lit = some(lit=True, textured=(False, True))

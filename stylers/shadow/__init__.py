@@ -14,11 +14,11 @@ from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
-from glshim.styling.passes import Actions, Body, MeshShader, Pass, State, Stencil, bodies
+from glshim.styling.passes import Actions, MeshShader, Pass, Primitives, State, Stencil
 from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
+from glshim.styling.values import Body, Place
 from stylers import options
 
-Light = tuple[float, float, float, float]
 _HERE = files(__package__)
 _VOLUME = (_HERE / "volume.glsl").read_text("utf-8")
 _LIT = 255
@@ -82,19 +82,19 @@ class Shadow(Styler):
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Volumes into the stencil, then the shade; where bodies do not shadow themselves, for
         each in turn."""
-        found, light = bodies(layer), self._light(layer)
+        found, light = layer.bodies, self._light(layer)
         for casting in [found] if self.self_shadows else [(body,) for body in found]:
             yield from _volumes(casting, light)
             if self.turned_away == "app":
-                yield Pass(SURFACES, found, "triangles", state=_ACQUIT, light=light,
+                yield Pass(found, SURFACES, "triangles", state=_ACQUIT, light=light,
                            uniforms={"every": 0, **_NEARER})  # fmt: skip
             if not self.self_shadows:
-                yield Pass(SURFACES, casting, "triangles", state=_ACQUIT, light=light,
+                yield Pass(casting, SURFACES, "triangles", state=_ACQUIT, light=light,
                            uniforms={"every": 1, **_NEARER})  # fmt: skip
             shade = (*(self.darkness * channel for channel in self.tint), self.darkness)
-            yield Pass(SHADE, _windows(found), "screen", state=_SHADED, uniforms={"shade": shade})
+            yield Pass(_windows(found), SHADE, "screen", state=_SHADED, uniforms={"shade": shade})
 
-    def _light(self, layer: Layer) -> Light:
+    def _light(self, layer: Layer) -> Place:
         """In eye space, homogeneous, w not negative: a direction leads towards it."""
         if self.light == "app":
             x, y, z, w = layer.light
@@ -103,7 +103,7 @@ class Shadow(Styler):
         return cos(lift) * sin(turn), sin(lift), cos(lift) * cos(turn), 0.0
 
 
-def _volumes(casting: tuple[Body, ...], light: Light) -> Iterator[Pass]:
+def _volumes(casting: tuple[Body, ...], light: Place) -> Iterator[Pass]:
     """Count, for each pixel, the volumes that its surface lies in, from nothing."""
     alike: dict[tuple[bool, int], list[Body]] = {}
     for body in casting:
@@ -113,9 +113,10 @@ def _volumes(casting: tuple[Body, ...], light: Light) -> Iterator[Pass]:
     clears = True
     for (mirrored, caps), some in alike.items():
         uniforms: dict[str, Uniform] = {"mirrored": int(mirrored), **_FARTHER}
-        yield Pass(SIDES, tuple(some), "sides", "quads", 2, light=light, uniforms=uniforms,
-                   state=replace(_VOLUME_STATE, clears_stencil=clears))  # fmt: skip
-        yield Pass(CAPS, tuple(some), "triangles", "triangles", caps, light=light,
+        one, first = tuple(some), replace(_VOLUME_STATE, clears_stencil=clears)
+        yield Pass(one, SIDES, "sides", Primitives("quads", 2), light=light,
+                   uniforms=uniforms, state=first)  # fmt: skip
+        yield Pass(one, CAPS, "triangles", Primitives(each=caps), light=light,
                    uniforms=uniforms, state=_VOLUME_STATE)  # fmt: skip
         clears = False
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from stylers import options
 from stylers.hand import Hand, strokes
 from stylers.hand.hatching import Hatching, hatched
@@ -40,7 +40,7 @@ class Sketch(Styler):
         """Light breaks where they do."""
         return self.hatching > 0.0
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper, hatching, and every line so often as it is drawn."""
         yield from under(Paper(self.paper, tint=self.tint), layer)
         yield from hatched(

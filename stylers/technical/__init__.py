@@ -14,7 +14,7 @@ from typing import ClassVar
 
 from glshim.model.lights import Light
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Draw, Layer, Styler, Uniform, option
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, Uniform, option
 from stylers import options
 from stylers.crossings import crossings, is_dense
 from stylers.edge_mesh import EdgeMesh
@@ -97,7 +97,7 @@ class Technical(Styler):
         """The app's paints, which tones are mixed with."""
         return "paint" if self.textures == "app" else "colours"
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Tones, paper and lines."""
         lit, unlit = by_light(layer, self.shade_unlit)
         paint = (0.0, 0.0, 0.0, 0.0) if isinstance(self.paint, str) else (*self.paint, 1.0)

@@ -37,7 +37,6 @@ class TwoPass(Styler):
         return "app" if self.fill == "app" else "none"
 
     def draws(self, layer: Layer) -> Iterable[BackFaces]:
-        """One draw a batch."""
+        """All of them at once."""
         fill = None if isinstance(self.fill, str) else self.fill
-        for batch, camera in layer.items:
-            yield BackFaces(batch, camera, self.width, self.ink, fill, self.smooth)
+        yield BackFaces(layer.bodies, self.width, self.ink, fill, self.smooth)

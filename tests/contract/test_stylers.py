@@ -53,8 +53,9 @@ def test_textured_draws_are_pure_too(texture, tmp_path):
     one, make = usual(), registry.load("raskar")
     first, second = (list(make(texture=texture).draws(one)) for _ in range(2))
     assert first == second
-    assert first[0].image is not None
-    assert first[0].image is second[0].image is first[1].image
+    (one,), (again,) = first, second
+    assert one.medium.image is not None
+    assert one.medium.image is again.medium.image
 
 
 def test_a_styler_that_wants_no_polygons_draws_nothing(styler: type[Styler]) -> None:

@@ -23,7 +23,8 @@ from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.depth import DepthCopy
 from glshim.outputs.gl.guard import Guard
 from glshim.outputs.gl.passes.runner import Runner, seen_from
-from glshim.styling.passes import Body, MeshShader, Pass
+from glshim.styling.passes import MeshShader, Pass, Primitives
+from glshim.styling.values import Body
 from tests import look
 from tests.score import meshes as scored
 
@@ -84,7 +85,7 @@ def decided(run: Runner, one: Pass) -> np.ndarray:
 
 def decide(body: Body, **more: object) -> Pass:
     turns = (cos(ANGLES[0]), cos(ANGLES[1]))
-    return Pass(_DECIDE, (body,), "edges", "lines", uniforms={"turns": turns}, **more)  # type: ignore[arg-type]
+    return Pass((body,), _DECIDE, "edges", Primitives("lines"), uniforms={"turns": turns}, **more)  # type: ignore[arg-type]
 
 
 def unsure(indices: np.ndarray, positions: np.ndarray, eye: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ from typing import ClassVar
 from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
-from glshim.styling.protocol import Draw, Layer, Pass, Styler
+from glshim.styling.protocol import Layer, Lines, Pass, Styler
 
 from .world import HEIGHT, WIDTH, App, Scene, run
 
@@ -26,7 +26,7 @@ class Gathering(Styler):
     def wants_normals(self) -> bool:
         return self.normals
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         self.batches.extend(batch for batch, _ in layer.items)
         return ()
 

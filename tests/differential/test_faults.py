@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import glfw
@@ -17,7 +17,7 @@ from OpenGL.GL import glBegin, glCallList, glColor3f, glEnd, glVertex3f, glVerte
 import glshim
 from glshim.bindings.pyopengl import forward
 from glshim.errors import StyleError
-from glshim.styling.protocol import Draw, Layer, Styler
+from glshim.styling.protocol import Layer, Lines, Medium, Styler
 
 from .scenes_immediate import shade, spiral
 from .scenes_lists import recorded
@@ -48,7 +48,7 @@ class Faulty(Styler):
     name: ClassVar[str] = "faulty"
     does: ClassVar[Callable[[Layer], Any]] = lambda layer: ()
 
-    def draws(self, layer: Layer) -> Iterable[Draw]:
+    def draws(self, layer: Layer) -> Iterable[Lines]:
         return type(self).does(layer)  # type: ignore[no-any-return]
 
 
@@ -62,9 +62,10 @@ def _raises_later(layer: Layer) -> Any:
 
 
 def _bad_uniform(layer: Layer) -> Any:
-    for draw in glshim.parse_style("raskar").draws(layer):
+    for lines in glshim.parse_style("raskar").draws(layer):
+        assert isinstance(lines, Lines)
         wrong: dict[str, Any] = {"inks": "black"}
-        yield Draw(draw.batch, draw.camera, draw.choice, draw.shader, wrong)
+        yield replace(lines, medium=Medium(lines.medium.shader, wrong))
 
 
 FAULTS: dict[str, Callable[[Layer], Any]] = {

@@ -10,7 +10,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.model.lights import Light, Lighting
-from glshim.styling.protocol import Draw, Layer, Pass, Styler
+from glshim.styling.protocol import Layer, Lines, Pass, Styler
 
 from .world import App, run
 
@@ -27,7 +27,7 @@ class Asking(Styler):
     def wants_lights(self) -> bool:
         return self.lights
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         self.layers.append(layer)
         return ()
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from OpenGL import GL, GLU
 
-from glshim.styling.protocol import Draw, Layer, Pass, Styler
+from glshim.styling.protocol import Layer, Lines, Pass, Styler
 
 from .scenes_state import _fog, _texgen, _texture, mesh
 from .world import App, Outcome, run
@@ -29,7 +29,7 @@ class Painting(Styler):
     def surface(self) -> str:
         return "paint" if self.textures else "colours"
 
-    def draws(self, layer: Layer) -> Iterable[Draw | Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         return ()
 
 

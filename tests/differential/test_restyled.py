@@ -17,7 +17,7 @@ from OpenGL.GLU import gluNewQuadric, gluSphere
 
 import glshim
 from glshim import pipeline
-from glshim.styling.protocol import Draw, Layer, Styler
+from glshim.styling.protocol import Layer, Lines, Styler
 
 
 @pytest.fixture
@@ -297,7 +297,7 @@ class Failing(Styler):
 
     name = "failing"
 
-    def draws(self, layer: Layer) -> Iterator[Draw]:
+    def draws(self, layer: Layer) -> Iterator[Lines]:
         raise ValueError("the styler's own")
 
 

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.cameras import hair_of
-from glshim.styling.protocol import Draw, Layer
+from glshim.styling.protocol import Layer, Lines
 from stylers.blueprint import Blueprint
 from stylers.blueprint.dimensions import characters
 from tests import look
@@ -74,13 +75,15 @@ def lengths(backend, mesh, camera=CAMERA, **options):
     look.clear()
     look.draw_base(mesh, camera)
     draws = Blueprint(dimensions=1.0, **options).draws(Layer(((mesh, camera),)))
-    last = [draw for draw in draws if isinstance(draw, Draw)][-1]
-    assert last.shader.name == "dimension"
-    text = last.shader.vertex.replace("if (!seen_at", "if (false && seen_at")
-    shader = replace(last.shader, vertex=text)
-    records = backend._harvest.records([last])
+    last = [draw for draw in draws if isinstance(draw, Lines)][-1]
+    medium = last.medium
+    assert medium.shader.name == "dimension"
+    text = medium.shader.vertex.replace("if (!seen_at", "if (false && seen_at")
+    shader = replace(medium.shader, vertex=text)
+    (group,) = grouped([last])
+    records = backend._harvest.records(group)
     found = backend.pen.varyings(
-        records, replace(camera, depth_range=(0.0, 1.0)), shader, last.uniforms,
+        records, replace(camera, depth_range=(0.0, 1.0)), shader, medium.uniforms,
         {"dimension": 2}, hair=hair_of(24),
     )  # fmt: skip
     told = found["dimension"][:, 0]

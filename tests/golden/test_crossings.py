@@ -18,7 +18,7 @@ from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.outputs.gl.lines.laying import triangles as fans
 from glshim.outputs.gl.plain import _OFF
 from glshim.spec.driver import gl
-from glshim.styling.protocol import Draw
+from glshim.styling.protocol import Layer, Lines, Medium
 from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER
 from tests import look
@@ -45,9 +45,9 @@ class Finder:
             for capability in _OFF:
                 gl.glDisable(capability)
             self.depth.take((0, 0, SIZE, SIZE), 24)
-            choice = Choice(False, None, intersections=True)
-            (group,) = grouped(Draw(b, camera, choice, SHADER, {}) for b, camera in items)
-            found = self.crossings.find(group, greater=greater, bits=24)
+            lines = Lines(Layer(items).bodies, Choice(intersections=True), Medium(SHADER))
+            (group,) = grouped([lines])
+            found = self.crossings.find(group.items, greater=greater, bits=24)
         assert GL.glGetError() == 0
         return found, depth
 

@@ -154,7 +154,7 @@ def test_kinds_have_their_own_inks_and_widths(backend):
 
 def smooth_lines(made, view, **more):
     """Records of smooth contours alone and their ends in the window."""
-    wanted = Features(True, None, None, smooth=True, **more)
+    wanted = Features(contours=True, smooth=True, **more)
     records, _ = feature_lines([(EdgeLines(mesh(made)), view.modelview)], view, wanted)
     ends = [window(records[:, k : k + 3].astype(float), view) for k in (0, 3)]
     return records, ends
@@ -229,7 +229,7 @@ def test_smooth_contours_go_on_at_creases_and_close(make):
         view = camera(look.look_at(5 * direction))
         records, _ = smooth_lines(make(), view)
         lines = EdgeLines(mesh(make()))
-        flat = lines.found(view.modelview, view, Features(True, None, None))
+        flat = lines.found(view.modelview, view, Features(contours=True))
         assert len(records) >= 0.5 * len(flat)
         ends = records.astype(np.float64)
         # Lines come nearer to the viewer by what they need: across the sight they meet.
@@ -255,7 +255,7 @@ def test_suggestive_contours_lie_on_front_faces_and_stay_inside(backend):
     lines, total = EdgeLines(mesh(made)), 0
     for direction in look.directions(6):
         view = camera(look.look_at(5 * direction))
-        wanted = Features(False, None, None, suggestive=True)
+        wanted = Features(suggestive=True)
         records, _ = feature_lines([(lines, view.modelview)], view, wanted)
         assert (group_of(records) == SUGGESTIVE).all()
         total += len(records)

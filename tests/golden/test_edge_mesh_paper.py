@@ -18,8 +18,8 @@ from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.depth import DepthCopy
 from glshim.outputs.gl.guard import Guard
 from glshim.outputs.gl.passes.runner import seen_from
-from glshim.styling.passes import Body
 from glshim.styling.protocol import Layer
+from glshim.styling.values import Body
 from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes
 from tests import look
 from tests.decision import edge_mesh as decision

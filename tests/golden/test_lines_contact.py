@@ -115,7 +115,7 @@ def test_what_stands_inside_another_thing_does_not_shine_through(backend):
 
 def test_hexagons_at_the_default_threshold_are_ridges_whole(backend):
     """A hexagonal bolt folds by exactly 120 degrees, in any place and turn: inclusive."""
-    choice = Choice(False, np.radians(120.0))
+    choice = Choice(ridge_angle=np.radians(120.0))
     rng = np.random.default_rng(4)
     for _ in range(40):
         turn = np.linalg.qr(rng.normal(size=(3, 3)))[0] * rng.uniform(0.01, 100)

@@ -59,7 +59,7 @@ def records_of(mesh, camera, angle):
     """Lines of every kind: with neighbours, without, and some as if they were intersections."""
     found = edges(mesh)
     parts = [(found, Places.one(camera.modelview, len(found.planes)))]
-    choice = Choice(True, angle, 2 * np.pi - angle)
+    choice = Choice(silhouettes=True, ridge_angle=angle, valley_angle=2 * np.pi - angle)
     known = lines(parts, camera, choice)
     alone = lines(parts, camera, dataclasses.replace(choice, connectivity=False))
     crossing = known[np.isin(known[:, 15], (RIDGE, VALLEY))].copy()

@@ -11,7 +11,7 @@ from OpenGL import GL
 from glshim.model.camera import Camera
 from glshim.model.lights import Light, Lighting, banded, gooch, incoming
 from glshim.outputs.gl.backend import Backend
-from glshim.styling.protocol import Layer
+from glshim.styling.protocol import Layer, Lines
 from stylers.cartoon import Cartoon
 from stylers.hiddenline import HiddenLine
 from stylers.shading import UPPER_LEFT
@@ -325,7 +325,7 @@ def test_dense_meshes_have_no_thicket_of_hidden_lines():
 
     def shares(mesh, hidden):
         draws = Technical(hidden=hidden).draws(Layer(((mesh, camera),)))
-        return {one.uniforms["hidden_share"] for one in draws if hasattr(one, "choice")}
+        return {one.medium.uniforms["hidden_share"] for one in draws if isinstance(one, Lines)}
 
     few, many = look.cube(), look.sphere(200, 120)
     assert shares(few, "auto") == shares(few, "dashed") == shares(many, "dashed") == {0.0, 0.4}

@@ -182,7 +182,7 @@ def test_a_file_that_was_broken_at_the_start_styles_lists_made_before(
 FLAT = """
 from dataclasses import dataclass
 from typing import ClassVar
-from glshim import Layer, MeshShader, Pass, State, Styler, bodies
+from glshim import Layer, MeshShader, Pass, State, Styler
 FLAT = MeshShader("flat", "void main() { gl_Position = clip(position(gl_VertexID)); }",
                   "void main() { colour = vec4(COLOUR, 1.0); }")
 
@@ -190,7 +190,7 @@ FLAT = MeshShader("flat", "void main() { gl_Position = clip(position(gl_VertexID
 class Flat(Styler):
     name: ClassVar[str] = "flat"
     def draws(self, layer: Layer) -> list[Pass]:
-        return [Pass(FLAT, bodies(layer), "surface", state=State(offset=(-1.0, -2.0)))]
+        return [Pass(layer.bodies, FLAT, "surface", state=State(offset=(-1.0, -2.0)))]
 """
 
 

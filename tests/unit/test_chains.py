@@ -182,7 +182,7 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
     mesh = edges(look.MESHES[name]())
     for direction in look.directions(6):
         camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, SIZE, SIZE))
-        choice = Choice(True, None, pattern=pattern(12.0))
+        choice = Choice(silhouettes=True, pattern=pattern(12.0))
         found = lines([(mesh, Places.one(camera.modelview, len(mesh.planes)))], camera, choice)
         found = found[np.isin(found[:, 15], OUTLINES)]
         jumps = joints(found[:, 0:3], found[:, 3:6], found[:, 16], found[:, 17])
@@ -194,6 +194,7 @@ def test_without_a_pattern_nothing_is_measured():
     mesh = edges(look.torus())
     camera = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, SIZE, SIZE))
     found = lines(
-        [(mesh, Places.one(camera.modelview, len(mesh.planes)))], camera, Choice(True, 2.0)
+        [(mesh, Places.one(camera.modelview, len(mesh.planes)))], camera,
+        Choice(silhouettes=True, ridge_angle=2.0),
     )
     assert not found[:, 16:20].any()

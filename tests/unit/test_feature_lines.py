@@ -6,6 +6,7 @@ import dataclasses
 import gc
 import time
 import weakref
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -32,7 +33,8 @@ from tests.score import meshes as scored
 BAND = 1e-9
 """Part of the lengths that go into a test, under which float64 may decide one way or the other."""
 ANGLES = (np.radians(120.0), np.radians(240.0))
-ALL = Features(True, *ANGLES, marked=True, boundary=True)
+FOLDS = Features(contours=True, ridge_angle=ANGLES[0], valley_angle=ANGLES[1])
+ALL = replace(FOLDS, marked=True, boundary=True)
 SIZE = (0, 0, 400, 400)
 
 
@@ -97,7 +99,7 @@ def bits(lines, camera, wanted=ALL):
 def agree(whole, camera, lines=None, angles=ANGLES):
     """Asserts that they do; how many edges of each kind there are."""
     lines = lines or EdgeLines(whole)
-    wanted = Features(True, *angles, marked=True, boundary=True)
+    wanted = replace(ALL, ridge_angle=angles[0], valley_angle=angles[1])
     found, (true, unsure) = bits(lines, camera, wanted), oracle(whole, camera, angles)
     # A crease that is no contour may be one in the band, and the other way round.
     wrong = (found != (true & ~np.where(true & CONTOUR, RIDGE | VALLEY, 0))) & ~unsure
@@ -177,7 +179,7 @@ def test_a_flattened_object_has_the_outline_of_its_shadow_and_no_creases(models)
 def test_what_has_no_area_on_the_screen_has_no_edges(models, rank):
     camera = next(cameras(1))
     flat = camera.modelview @ np.diag((1.0, *([0.0, 0.0]), 1)) if rank else np.diag((0.0, 0, 0, 1))
-    for wanted in (ALL, Features(True, *ANGLES, smooth=True, suggestive=True)):
+    for wanted in (ALL, replace(FOLDS, smooth=True, suggestive=True)):
         records, _ = feature_lines([(EdgeLines(models["gear"]), flat)], camera, wanted)
         assert np.isfinite(records).all()
         assert not (group_of(records) == 0).any()
@@ -235,8 +237,8 @@ def test_any_angles(models):
         for camera in cameras(4):
             for name in ("torus", "terrain"):
                 agree(models[name], camera, angles=angles)
-    nothing = EdgeLines(models["gear"]).decided(np.eye(4), next(cameras(1)),
-                                                Features(True, 0.0, 2 * np.pi))  # fmt: skip
+    wanted = Features(contours=True, ridge_angle=0.0, valley_angle=2 * np.pi)
+    nothing = EdgeLines(models["gear"]).decided(np.eye(4), next(cameras(1)), wanted)
     assert not len(nothing.ridges) and not len(nothing.valleys)
 
 
@@ -265,7 +267,7 @@ def test_sides_inside_of_polygons_are_contours_only_where_these_are_bent():
 
 def test_records_are_finite_whatever_comes(models):
     camera = next(cameras(1))
-    wanted = Features(True, *ANGLES, boundary=True, smooth=True, suggestive=True)
+    wanted = replace(FOLDS, boundary=True, smooth=True, suggestive=True)
     points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], np.float32)
     solids = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
     for value in (np.nan, np.inf, 3e38, 1e20, 1e-30, 0.0):
@@ -290,7 +292,7 @@ def test_records_have_the_own_polygon_at_the_left(models):
 
     for camera in cameras(6):
         records, _ = feature_lines([(EdgeLines(models["torus"]), camera.modelview)], camera,
-                                   Features(True, None, None))  # fmt: skip
+                                   Features(contours=True))  # fmt: skip
         a, b = (window(records[:, k : k + 3].astype(float), camera)[:, :2] for k in (0, 3))
         onward = np.linalg.norm(records[:, 6:9] - records[:, 3:6], axis=1) > 1e-6
         assert onward.mean() > 0.98  # the torus has closed outlines
@@ -366,7 +368,7 @@ def test_a_smooth_mesh_that_moves_keeps_its_pieces(models):
 def test_a_display_list_of_100000_polygons_is_fast():
     """The decision alone: under 8 ms; a slow machine gets four times that."""
     lines, camera = EdgeLines(mesh(look.torus(400, 250))), next(cameras(1))
-    wanted = Features(True, *ANGLES, boundary=True)
+    wanted = replace(FOLDS, boundary=True)
     lines.found(camera.modelview, camera, wanted)
     took = []
     for camera in cameras(8):
@@ -386,7 +388,7 @@ def test_shapes_cut_into_objects_have_the_edges_that_they_have_as_one():
         place = np.eye(4)
         place[:3, 3] = shift
         parts.append((EdgeLines(mesh(made)), camera.modelview @ place))
-    wanted = Features(True, *ANGLES, boundary=True)
+    wanted = replace(FOLDS, boundary=True)
     cut, _ = feature_lines(parts, camera, wanted)
     one, _ = feature_lines([(EdgeLines(mesh(cube)), camera.modelview)], camera, wanted)
     assert len(cut) == len(one)

@@ -11,8 +11,9 @@ from glshim.errors import StyleError
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.outward import outward
 from glshim.model.camera import Camera
-from glshim.styling.passes import Body, Pass
+from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, options_of
+from glshim.styling.values import Body
 from stylers.fur import Fur
 from stylers.fur.scale import scale_of
 from tests import look
@@ -99,12 +100,12 @@ def test_fins_come_before_the_shells_that_lie_over_them():
     passes = list(Fur(layers=9).draws(layer))
     assert all(isinstance(one, Pass) for one in passes)
     assert [one.element for one in passes] == ["edges", "triangles"]
-    assert passes[1].copies == passes[1].uniforms["shells"] == 9
+    assert passes[1].primitives.copies == passes[1].uniforms["shells"] == 9
     assert all(one.light == (1.0, 2.0, 3.0, 0.0) for one in passes)
     bare = list(Fur(fins=False).draws(Layer(((look.cube(), camera()),))))
     assert [one.element for one in bare] == ["triangles"]
     short = list(Fur(length=3, fins=False).draws(Layer(((look.cube(), camera()),))))
-    assert short[0].copies == 3
+    assert short[0].primitives.copies == 3
 
 
 def test_options_hold_their_ranges():

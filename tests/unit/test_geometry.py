@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -26,7 +28,7 @@ from glshim.model.lines import (
 from glshim.styling.wishes import Choice
 from tests import look
 
-BOTH = Choice(True, np.radians(120.0))
+BOTH = Choice(silhouettes=True, ridge_angle=np.radians(120.0))
 VIEW = (0, 0, 400, 400)
 
 
@@ -187,13 +189,13 @@ def test_a_cube_shows_six_silhouettes_and_three_ridges(projection):
 @pytest.mark.parametrize("angle, count", [(89.0, 0), (90.0, 3), (91.0, 3), (0.0, 0), (360.0, 6)])
 def test_ridges_fold_at_most_by_the_threshold(angle, count):
     """At 360 degrees every edge with polygons on both sides of it counts, seen or not."""
-    found = kinds(choose(edges(look.cube()), camera(), Choice(False, np.radians(angle))))
+    found = kinds(choose(edges(look.cube()), camera(), Choice(ridge_angle=np.radians(angle))))
     assert found[RING] == found[FIN] == 0
     assert found[RIDGE] == count
 
 
 def test_a_hexagonal_prism_has_its_sides_inked_at_the_default_threshold():
-    found = kinds(choose(edges(look.cylinder(6)), camera(), Choice(False, np.radians(120.0))))
+    found = kinds(choose(edges(look.cylinder(6)), camera(), Choice(ridge_angle=np.radians(120.0))))
     assert found[RIDGE] == 2 + 3  # two uprights and half of the rim are between seen faces
 
 
@@ -203,7 +205,7 @@ def test_angles_are_measured_in_eye_space():
     tilted = camera(look.look_at((3, 2, 2.5)) @ squash)
     shaped = moved(look.cube(), squash)
     for angle in (40.0, 70.0, 100.0, 150.0):
-        choice = Choice(False, np.radians(angle))
+        choice = Choice(ridge_angle=np.radians(angle))
         assert kinds(choose(edges(look.cube()), tilted, choice)) == kinds(
             choose(edges(shaped), camera(), choice)
         )
@@ -213,9 +215,9 @@ def test_angles_are_measured_in_eye_space():
 @pytest.mark.parametrize("mirror", [(1, 1, 1), (-1, 1, 1), (1, -1, -1), (-1, -1, -1), (2, -0.5, 1)])
 def test_silhouettes_do_not_depend_on_the_winding(front_ccw, mirror):
     scale = np.diag([*mirror, 1.0])
-    plain = choose(edges(moved(look.torus(), scale)), camera(), Choice(True, None))
+    plain = choose(edges(moved(look.torus(), scale)), camera(), Choice(silhouettes=True))
     turned = camera(look.look_at((3, 2, 2.5)) @ scale, front_ccw=front_ccw)
-    found = choose(edges(look.torus()), turned, Choice(True, None))
+    found = choose(edges(look.torus()), turned, Choice(silhouettes=True))
     assert len(found) == len(plain)
     plain, found = ends_of(plain, camera().modelview), ends_of(found, turned.modelview)
     ends, wanted = found[:, 0:3] * mirror, np.concatenate([plain[:, 0:3], plain[:, 3:6]])
@@ -233,8 +235,8 @@ def test_a_doubled_surface_has_the_silhouettes_of_one():
     mesh = look.torus()
     polygons = look.polygons_of(mesh)
     doubled = look.batch(mesh.positions, [*polygons, *(p[::-1] for p in polygons)])
-    one = choose(edges(mesh), camera(), Choice(True, None))
-    two = choose(edges(doubled), camera(), Choice(True, None))
+    one = choose(edges(mesh), camera(), Choice(silhouettes=True))
+    two = choose(edges(doubled), camera(), Choice(silhouettes=True))
 
     def places(records):
         return {frozenset(map(tuple, (r[:3], r[3:6]))) for r in np.round(records.astype(float), 5)}
@@ -320,7 +322,7 @@ def test_batches_in_their_places_have_the_lines_of_moved_batches(projection):
     meshes = [(look.cube(), look.torus(), look.bowl())[k % 3] for k in range(7)]
     whole, owner = together([edges(mesh) for mesh in meshes])
     eye = camera(np.eye(4), projection)
-    choice = Choice(True, np.radians(100.0))
+    choice = Choice(silhouettes=True, ridge_angle=np.radians(100.0))
     found = choose(whole, eye, choice, Places(owner, modelviews))
     for k in range(6):
         alone = choose(edges(meshes[k]), camera(modelviews[k], projection), choice)
@@ -350,7 +352,7 @@ def test_valleys_fold_by_more_than_the_threshold(angle, count):
     """The hollow of an L: 270 degrees."""
     wall = look.batch([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (2, 0, 2), (0, 0, 2)],
                       [[0, 1, 2, 3], [1, 0, 5, 4]])  # fmt: skip
-    choice = Choice(False, None, np.radians(angle))
+    choice = Choice(valley_angle=np.radians(angle))
     found = choose(edges(wall), camera(look.look_at((1, 3, 2.5))), choice)
     assert (np.floor(found[:, 15]) == VALLEY).sum() == count
     assert (found[:, 15] == LONE_VALLEY).sum() == 6
@@ -363,7 +365,7 @@ def test_valleys_fold_by_more_than_the_threshold(angle, count):
 def test_cutting_a_mesh_into_objects_changes_no_line(name):
     """One batch, or its polygons dealt to objects with cameras and object spaces of their own."""
     mesh, rng = look.MESHES[name](), np.random.default_rng(7)
-    choice = Choice(True, np.radians(130.0), np.radians(190.0))
+    choice = Choice(silhouettes=True, ridge_angle=np.radians(130.0), valley_angle=np.radians(190.0))
     seen = camera()
 
     def places(records):
@@ -394,7 +396,7 @@ def test_cutting_a_mesh_into_objects_changes_no_line(name):
 
 
 def test_outlines_know_where_they_go_on():
-    found = choose(edges(look.torus()), camera(), Choice(True, None))
+    found = choose(edges(look.torus()), camera(), Choice(silhouettes=True))
     goes_on = (found[:, 6:9] != found[:, 3:6]).any(axis=1)
     assert goes_on.mean() > 0.98
     begins = {tuple(np.round(r, 5)) for r in found[:, 0:3].astype(float)}
@@ -402,7 +404,7 @@ def test_outlines_know_where_they_go_on():
 
 
 def test_without_connectivity_every_side_stands_alone():
-    choice = Choice(True, np.radians(120.0), np.radians(240.0), connectivity=False)
+    choice = replace(BOTH, valley_angle=np.radians(240.0), connectivity=False)
     found = choose(edges(look.cube()), camera(), choice)
     assert (found[:, 15] == FIN).sum() == 24
     assert (found[:, 15] == LONE_RIDGE).sum() == (found[:, 15] == LONE_VALLEY).sum() == 12
@@ -413,7 +415,7 @@ def test_polygons_sent_twice_make_no_crease():
     points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 0), (2, 1, 0),
               (1, 1, 1), (1, 0, 1)]  # fmt: skip
     flat = [[0, 1, 4, 3], [1, 2, 5, 4], [1, 2, 5, 4]]
-    choice = Choice(False, np.radians(120.0), np.radians(240.0))
+    choice = Choice(ridge_angle=np.radians(120.0), valley_angle=np.radians(240.0))
     seen = camera(look.look_at((1, 0.5, 5)))
     found = choose(edges(look.batch(points, flat)), seen, choice)
     ends = found[:, 0:6].reshape(-1, 2, 3) @ np.linalg.inv(seen.modelview)[:3, :3].T

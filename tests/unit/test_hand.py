@@ -20,6 +20,7 @@ from tests import look
 from tests.unit.test_chains import FLAT, circle, polyline
 
 CORNER = np.radians(40.0)
+WHOLE = Pattern((100.0,) * 8, 0.0, CORNER)
 OUTLINE, CREASE = 0, 1
 
 
@@ -153,7 +154,7 @@ def test_lines_without_a_pattern_have_no_stroke():
 
 
 def test_no_lines_have_no_strokes():
-    wanted = Features(True, 2.0, 4.0, pattern=Pattern((100.0,) * 8, 0.0, CORNER))
+    wanted = Features(contours=True, ridge_angle=2.0, valley_angle=4.0, pattern=WHOLE)
     found, past = feature_lines([], FLAT, wanted)
     assert found.shape == (0, RECORD) and past is not None
 
@@ -212,7 +213,9 @@ def test_records_of_meshes_say_it(name):
     """With a corner; and not without."""
     batch = look.MESHES[name]()
     camera = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))
-    wanted = Features(True, 2.1, 4.2, boundary=True, pattern=Pattern((100.0,) * 8, 0.0, CORNER))
+    wanted = Features(
+        contours=True, ridge_angle=2.1, valley_angle=4.2, boundary=True, pattern=WHOLE
+    )
     objects = [(EdgeLines(mesh(batch)), camera.modelview)]
     found, _ = feature_lines(objects, camera, wanted)
     plain, _ = feature_lines(

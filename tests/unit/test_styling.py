@@ -12,8 +12,8 @@ from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
 from glshim.styling.protocol import (
     Colour,
-    Draw,
     Layer,
+    Lines,
     Styler,
     format_colour,
     option,
@@ -31,7 +31,7 @@ class Sample(Styler):
     fill: str | Colour = option("app", help="f", choices=("app", "none"), colour=True)  # noqa: RUF009
     mode: str = option("a", help="m", choices=("a", "b"))
 
-    def draws(self, layer: Layer) -> Iterable[Draw]:
+    def draws(self, layer: Layer) -> Iterable[Lines]:
         return ()
 
 

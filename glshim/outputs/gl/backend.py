@@ -1,4 +1,4 @@
-"""Draws of stylers into the app's framebuffer."""
+"""Lines and passes of stylers into the app's framebuffer."""
 
 from __future__ import annotations
 
@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import RenderError
-from glshim.linework.finder import Harvest, name_of
-from glshim.linework.groups import grouped
+from glshim.linework.finder import Harvest
+from glshim.linework.groups import Group, grouped
 from glshim.linework.polygon_lines import lay_pattern
-from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.cameras import box_of, hair_of, scissor, stencil, turned
@@ -31,17 +30,15 @@ from glshim.outputs.gl.textures import Textures
 from glshim.spec.ask import integer
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.spec.driver import current_context
+from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Draw
+from glshim.styling.values import Item, in_order
 from glshim.styling.wishes import Choice
 
 _DEPTH_FUNC, _DEPTH_BITS, _FRAMEBUFFER_BINDING = 0x0B74, 0x0D56, 0x8CA6
 _GREATER, _GEQUAL = 0x0204, 0x0206
 _LAID_BITS = 24
 """Bits of the depth buffer that stands in where a window has none."""
-
-
-Item = tuple[PolygonBatch, Camera]
 
 
 class Backend:
@@ -86,7 +83,7 @@ class Backend:
                 text = f"no drawing in this context ({version_text()}): {error}"
                 raise RenderError(text) from error
 
-    def render(self, draws: Iterable[Draw | Pass]) -> None:
+    def render(self, draws: Iterable[Lines | Pass]) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
         Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
@@ -117,7 +114,7 @@ class Backend:
                 if run.passes:
                     self._run(run.passes, window, box, bits, greater)
                 # The app's stencil test holds where the ink goes over its picture.
-                for _, alike in groupby(run.lines, key=lambda group: group[0].camera.stencil):
+                for _, alike in groupby(run.lines, key=lambda group: group.camera.stencil):
                     self._ink(list(alike), window, box, bits, greater)
 
     def _run(
@@ -144,62 +141,57 @@ class Backend:
         self._layer.lay(items, self._depth, box, greater)
 
     def _ink(
-        self, groups: list[list[Draw]], window: int, box: Box, bits: int, greater: bool
+        self, groups: list[Group], window: int, box: Box, bits: int, greater: bool
     ) -> None:
         """Gather the ink of groups and lay it over the window."""
         self._canvas.open(box)
         for group in groups:
-            first = group[0]
+            medium = group.medium
             records = self._harvest.records(group)
-            crossing = isinstance(first.choice, Choice) and first.choice.intersections
+            crossing = isinstance(group.wanted, Choice) and group.wanted.intersections
             if crossing and self._crossings is None:
                 say_once(f"{UNAVAILABLE}; the other lines are drawn")
             elif crossing and self._crossings:
                 records = np.concatenate((records, self._crossed(group, greater, bits)))
             if not len(records):
                 continue
-            camera, away = turned(first.camera, greater)
-            if first.image is not None:
-                self._textures.bind(first.image)
+            camera, away = turned(group.camera, greater)
+            if medium.image is not None:
+                self._textures.bind(medium.image)
             scissor(camera, box)
             self.pen.draw(
-                records, camera, first.shader, first.uniforms, self._depth,
+                records, camera, medium.shader, medium.uniforms, self._depth,
                 away=away, hair=hair_of(bits),
             )  # fmt: skip
-        stencil(groups[0][0].camera)
-        tidy = all(group[0].image is None for group in groups)
+        stencil(groups[0].camera)
+        tidy = all(group.medium.image is None for group in groups)
         self._canvas.put_over(window, box, tidy=tidy)
 
-
-    def _crossed(
-        self, group: list[Draw], greater: bool, bits: int
-    ) -> NDArray[np.float32]:
+    def _crossed(self, group: Group, greater: bool, bits: int) -> NDArray[np.float32]:
         """Records of the crossings of a group's polygons, found once a layer."""
-        name, first = name_of(group), group[0]
+        name = group.name
         found = self._met.get(name)
         if found is None:
-            assert self._crossings is not None and isinstance(first.choice, Choice)
-            found = self._crossings.find(group, greater=greater, bits=bits)
-            if first.choice.pattern is not None:
-                lay_pattern(found, first.camera, first.choice.pattern)
+            assert self._crossings is not None
+            found = self._crossings.find(group.items, greater=greater, bits=bits)
+            if group.wanted.pattern is not None:
+                lay_pattern(found, group.camera, group.wanted.pattern)
             self._met[name] = found
         return found
 
 
 @dataclass(frozen=True, slots=True)
 class _Run:
-    """Draws, or passes, that follow each other."""
+    """Lines, or passes, that follow each other in one coat."""
 
-    lines: list[list[Draw]]
-    """Those that one GL draw can serve together."""
+    lines: list[Group]
     passes: list[Pass]
 
     @property
     def items(self) -> list[Item]:
         """All batches, each with its camera."""
-        lines = [(draw.batch, draw.camera) for group in self.lines for draw in group]
-        bodies = (body for one in self.passes for body in one.bodies)
-        return lines + [(batch, body.camera) for body in bodies for batch in body.batches]
+        drawn = [item for group in self.lines for item in group.items]
+        return drawn + [item for one in self.passes for item in in_order(one.bodies)]
 
 
 def _by_stencil(passes: list[Pass]) -> Iterator[tuple[Camera, list[Pass]]]:
@@ -218,12 +210,17 @@ def _by_stencil(passes: list[Pass]) -> Iterator[tuple[Camera, list[Pass]]]:
         yield camera, [one for one in parts if one.bodies]
 
 
-def _runs(draws: Iterable[Draw | Pass]) -> list[_Run]:
+def _runs(draws: Iterable[Lines | Pass]) -> list[_Run]:
+    """Neighbours of one kind and one coat together."""
     found: list[_Run] = []
-    for (kind, _), alike in groupby(draws, key=lambda one: (type(one), getattr(one, "sheet", 0))):
-        if not issubclass(kind, (Draw, Pass)):
-            raise TypeError(f"a styler draws with Draw and Pass, not with {kind.__name__}")
+    for (passes, _), alike in groupby(draws, key=lambda one: (_is_pass(one), one.coat)):
         run = list(alike)
-        lines = grouped(one for one in run if isinstance(one, Draw))
+        lines = [] if passes else grouped(one for one in run if isinstance(one, Lines))
         found.append(_Run(lines, [one for one in run if isinstance(one, Pass)]))
     return found
+
+
+def _is_pass(one: object) -> bool:
+    if not isinstance(one, (Lines, Pass)):
+        raise TypeError(f"a styler draws with Lines and Pass, not with {type(one).__name__}")
+    return isinstance(one, Pass)

@@ -24,7 +24,8 @@ from glshim.outputs.gl.plain import plainly
 from glshim.spec.ask import integer
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
 from glshim.spec.driver import current_context, gl
-from glshim.styling.protocol import BackFaces, Colour
+from glshim.styling.fixed import BackFaces
+from glshim.styling.values import Colour, Item, in_order
 
 _TRIANGLES, _FLOAT, _VERTICES, _EDGE_FLAGS = 0x0004, 0x1406, 0x8074, 0x8079
 _FRONT, _BACK, _LINE, _FILL = 0x0404, 0x0405, 0x1B01, 0x1B02
@@ -67,8 +68,8 @@ class FixedPen:
         if not current_context() or not has_fixed_function():
             raise RenderError(NO_FIXED_FUNCTION)
         self._known.tick()
-        found = [draw for draw in draws if draw.batch.polygon_count and _can_be_seen(draw.camera)]
-        if not found or not possible():
+        found = [(draw, _seen(draw)) for draw in draws]
+        if not any(items for _, items in found) or not possible():
             return
         if not integer(_DEPTH_BITS):
             say_once("this window has no depth buffer: back faces cannot be drawn as lines in it")
@@ -78,10 +79,10 @@ class FixedPen:
             _plainest()
             gl.glEnable(_DEPTH_TEST)
             gl.glDepthFunc(_GEQUAL if greater else _LEQUAL)
-            self._fill([draw for draw in found if draw.fill is not None], greater)
+            self._fill(found, greater)
             self._lines(found)
 
-    def _fill(self, draws: list[BackFaces], greater: bool) -> None:
+    def _fill(self, found: list[tuple[BackFaces, list[Item]]], greater: bool) -> None:
         """Front faces. Their depth is there already: a nudge lets them pass in spite of rounding.
         """
         gl.glPolygonMode(_FRONT, _FILL)
@@ -89,31 +90,36 @@ class FixedPen:
         gl.glEnable(_OFFSET_FILL)
         towards = 1.0 if greater else -1.0
         gl.glPolygonOffset(towards, towards)
-        for draw in draws:
-            assert draw.fill is not None
-            self._draw(draw, draw.fill)
+        for draw, items in found:
+            if draw.fill is not None:
+                self._draw(items, draw.fill)
         gl.glDisable(_OFFSET_FILL)
 
-    def _lines(self, draws: list[BackFaces]) -> None:
+    def _lines(self, found: list[tuple[BackFaces, list[Item]]]) -> None:
         """Back faces."""
         gl.glPolygonMode(_BACK, _LINE)
         gl.glCullFace(_FRONT)
         gl.glBlendFunc(_ALPHA, _REST)
-        for draw in draws:
+        for draw, items in found:
+            if not items:
+                continue
             for switch in (_LINE_SMOOTH, _BLEND):
                 (gl.glEnable if draw.smooth else gl.glDisable)(switch)
             gl.glLineWidth(_possible_width(draw.width, draw.smooth))
-            self._draw(draw, draw.ink)
+            self._draw(items, draw.ink)
 
-    def _draw(self, draw: BackFaces, colour: Colour) -> None:
-        points, flags, way = self._fans(draw.batch)
+    def _draw(self, items: list[Item], colour: Colour) -> None:
+        rgba = np.array((*colour, 1.0), np.float32)
+        for batch, camera in items:
+            self._one(batch, camera, rgba)
+
+    def _one(self, batch: PolygonBatch, camera: Camera, rgba: NDArray[np.float32]) -> None:
+        points, flags, way = self._fans(batch)
         if not len(points):
             return
-        camera = draw.camera
         if way != 0.0:  # GLUT's teapot winds about what is in, and says nothing
             camera = replace(camera, front_ccw=(way > 0.0) != camera.mirrored)
         _look_through(camera)
-        rgba = np.array((*colour, 1.0), np.float32)
         gl.glColor4fv(rgba.ctypes.data)
         gl.glVertexPointer(3, _FLOAT, 0, points.ctypes.data)
         gl.glEdgeFlagPointer(0, flags.ctypes.data)
@@ -193,6 +199,15 @@ def _look_through(camera: Camera) -> None:
 def _load(matrix: NDArray[np.float64]) -> None:
     columns = np.ascontiguousarray(matrix.T, np.float64)
     gl.glLoadMatrixd(columns.ctypes.data)
+
+
+def _seen(draw: BackFaces) -> list[Item]:
+    """The batches that have polygons, and cameras that see any."""
+    return [
+        (batch, camera)
+        for batch, camera in in_order(draw.bodies)
+        if batch.polygon_count and _can_be_seen(camera)
+    ]
 
 
 def _can_be_seen(camera: Camera) -> bool:

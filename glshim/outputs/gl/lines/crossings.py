@@ -31,7 +31,7 @@ from glshim.outputs.gl.depth import UNIT, Box
 from glshim.outputs.gl.lines.laying import triangles
 from glshim.spec.ask import integer
 from glshim.spec.driver import gl
-from glshim.styling.protocol import Draw
+from glshim.styling.values import Item
 
 _SMALL = 512
 """Triangles up to which what has one modelview is drawn together with others."""
@@ -156,17 +156,17 @@ class Crossings:
         self._bodies.tick()
 
     def find(
-        self, draws: Sequence[Draw], *, greater: bool = False, bits: int | None = None
+        self, items: Sequence[Item], *, greater: bool = False, bits: int | None = None
     ) -> Floats:
-        """(L, 21) records (`glshim.model.lines`) where polygons of draws cross.
+        """(L, 21) records (`glshim.model.lines`) where polygons of batches cross.
 
-        draws: a group of `glshim.linework.groups.grouped`. greater: farther is less depth. bits of
+        items: of a `glshim.linework.groups.Group`. greater: farther is less depth. bits of
         the app's finished depth, which `glshim.outputs.gl.depth.UNIT` holds; None: there is none.
         What is not in that is left out. Blending, culling and the like are off; bindings come back
         as they were, depth test and writes are off afterwards.
         """
-        camera = draws[0].camera
-        scene = self._scene(draws)
+        camera = items[0][1]
+        scene = self._scene(items)
         box = box_of([camera])
         pixels = box[2] * box[3]
         if not 0 < scene.first[-1] < _MOST_TRIANGLES or not 0 < pixels <= _MOST_PIXELS:
@@ -180,18 +180,18 @@ class Crossings:
         self._last = (scene.state, seeds, records)
         return records
 
-    def _scene(self, draws: Sequence[Draw]) -> _Scene:
-        """The triangles of draws on the GPU: large ones stay there, the others go through a ring,
+    def _scene(self, items: Sequence[Item]) -> _Scene:
+        """The triangles of batches on the GPU: large ones stay there, the others go through a ring,
         many small ones as one."""
-        alike: dict[tuple[bytes, bool], list[Draw]] = {}
-        for draw in draws:
-            place = draw.camera.modelview.tobytes(), draw.batch.key is not None
-            alike.setdefault(place, []).append(draw)
+        alike: dict[tuple[bytes, bool], list[Item]] = {}
+        for batch, camera in items:
+            place = camera.modelview.tobytes(), batch.key is not None
+            alike.setdefault(place, []).append((batch, camera))
         placed = []
         for (_, keyed), same in alike.items():
-            key = tuple(draw.batch.key for draw in same) if keyed else None
-            body = self._body([draw.batch for draw in same], key)
-            placed.append((key, body, same[0].camera.modelview))
+            key = tuple(batch.key for batch, _ in same) if keyed else None
+            body = self._body([batch for batch, _ in same], key)
+            placed.append((key, body, same[0][1].modelview))
         large = [entry for entry in placed if len(entry[1]) > _SMALL]
         kept = [(body, at) for key, body, at in large if key in self._bodies]
         passing = [(body, at) for key, body, at in large if key not in self._bodies]

@@ -31,7 +31,8 @@ from glshim.outputs.gl.passes.stage import NOTHING_DRAWN, Stage
 from glshim.outputs.gl.programs import Program
 from glshim.outputs.gl.textures import Textures
 from glshim.spec.driver import gl
-from glshim.styling.passes import VERTICES, Body, Comparison, Pass, State, Stencil
+from glshim.styling.passes import VERTICES, Comparison, Pass, State, Stencil
+from glshim.styling.values import Body
 
 _MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}
 _BY_INDEX = {"surface": (0x0004, 3), "adjacency": (0x000C, 6), "lines": (0x000A, 4)}
@@ -192,12 +193,13 @@ class Runner:
         resident: Resident | None = None
         count, each = 1, 3
         if one.element != "screen":
-            resident = self.residents.find(body.batches, one.creases, one.tolerance)
+            resident = self.residents.find(body.batches, one.weld.creases, one.weld.tolerance)
             count = resident.count(one.element)
-            each = VERTICES[one.primitive] * one.primitives
+            each = VERTICES[one.primitives.kind] * one.primitives.each
             if one.element in _BY_INDEX:
                 each = _BY_INDEX[one.element][1]
-            if one.least and not resident.sieved.extent.pixels(camera) >= one.least:
+            least = one.sieve.shortest if one.sieve is not None else 0.0
+            if least and not resident.sieved.extent.pixels(camera) >= least:
                 return None
         posed = None
         if one.pose is not None and resident is not None:
@@ -213,7 +215,13 @@ class Runner:
             one.shader, one.pose, sieved=sieve is not None,
             planes=min(len(camera.clip_planes), MOST_CLIP_PLANES), varyings=varyings,
         )  # fmt: skip
-        seen = seen_from(camera, one.light if program.wants("light") else None)
+        lit = program.wants("light")
+        if lit and one.light is None:
+            raise RenderError(
+                f"shader {one.shader.name!r} reads `light`: give its Pass light=layer.light, or "
+                "light=HEADLIGHT for one at the viewer"
+            )
+        seen = seen_from(camera, one.light if lit else None)
         if resident is not None and sieve is not None:
             count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
             if not count:
@@ -256,11 +264,11 @@ def _issue(one: Pass, ready: _Ready, mode: int | None = None) -> None:
     count = ready.elements * ready.each
     if count and one.element in _BY_INDEX:
         gl.glDrawElementsInstanced(
-            _BY_INDEX[one.element][0], count, _UNSIGNED_INT, None, one.copies
+            _BY_INDEX[one.element][0], count, _UNSIGNED_INT, None, one.primitives.copies
         )
     elif count:
-        own = _MODES[one.primitive] if mode is None else mode
-        gl.glDrawArraysInstanced(own, 0, count, one.copies)
+        own = _MODES[one.primitives.kind] if mode is None else mode
+        gl.glDrawArraysInstanced(own, 0, count, one.primitives.copies)
 
 
 def _triangles_of(one: Pass, ready: _Ready) -> int:

@@ -51,7 +51,7 @@ class Sieved:
 
     def __init__(self, mesh: Mesh, edges: EdgeMesh, creases: Creases | None) -> None:
         self._mesh, self._edges, self._creases = mesh, edges, creases
-        self._left: dict[tuple[Sieve, Element], _Remaining] = {}
+        self._left: dict[tuple[int, tuple[float, float], Element], _Remaining] = {}
 
     @cached_property
     def adjacency(self) -> Ints:
@@ -86,7 +86,7 @@ class Sieved:
     def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
         """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any
         to the vertex array; how many those are."""
-        left = self._left.setdefault((sieve, element), _Remaining())
+        left = self._left.setdefault((sieve.wanted, sieve.angles, element), _Remaining())
         if left.eye != eye.tobytes():
             rows = self._remaining(eye, sieve, element)
             if left.texture:

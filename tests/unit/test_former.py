@@ -1,0 +1,127 @@
+"""Stylers as they were written for version 0.1: they go on working, or are told what to write."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import glshim
+from glshim import (
+    HEADLIGHT,
+    BackFaces,
+    Body,
+    Choice,
+    Criterion,
+    Draw,
+    Features,
+    Layer,
+    Lines,
+    Medium,
+    MeshShader,
+    Pass,
+    Primitives,
+    Shader,
+    Sieve,
+    State,
+    Weld,
+    notices,
+    parse_style,
+)
+from glshim.checks.layers import camera, cube, usual
+
+SHADER, MESH = Shader("old", "", "", 4), MeshShader("old", "", "")
+BODIES = usual().bodies
+
+
+@pytest.fixture(autouse=True)
+def silence(capsys: pytest.CaptureFixture[str]) -> None:
+    notices.forget("")
+
+
+def said(capsys: pytest.CaptureFixture[str]) -> str:
+    return capsys.readouterr().err
+
+
+def test_a_draw_is_lines_of_one_batch(capsys: pytest.CaptureFixture[str]) -> None:
+    batch, seen, uniforms = cube(), camera(), {"size": 1.0}
+    old = Draw(batch, seen, Choice(silhouettes=True), SHADER, uniforms, sheet=3)
+    assert isinstance(old, Lines)
+    assert old.bodies == (Body((batch,), seen),)
+    assert (old.medium, old.coat) == (Medium(SHADER, uniforms), 3)
+    assert "write Lines(layer.bodies, choice, Medium(shader, uniforms))" in said(capsys)
+
+
+def test_choices_by_their_places(capsys: pytest.CaptureFixture[str]) -> None:
+    assert Choice(False, None, 4.0) == Choice(valley_angle=4.0)  # type: ignore[misc]
+    assert Features(True, 2.0, 4.0, True) == Features(  # type: ignore[misc]
+        contours=True, ridge_angle=2.0, valley_angle=4.0, marked=True
+    )
+    assert said(capsys).count("\n") == 2
+    with pytest.raises(TypeError):
+        Choice(True, 1.0, 2.0, True, True, None, 7)  # type: ignore[misc]
+
+
+def test_a_flat_pass(capsys: pytest.CaptureFixture[str]) -> None:
+    criterion, state = Criterion("either", 1.0, 0.1), State(depth="always")
+    old = Pass(  # type: ignore[call-overload, misc]
+        MESH, BODIES, "edges", "quads", 2, copies=3, state=state, sieve=Sieve(1), least=4.0,  # type: ignore[arg-type]
+        creases=criterion, tolerance=0.5, sheet=-1,
+    )  # fmt: skip
+    assert old == Pass(
+        BODIES, MESH, "edges", Primitives("quads", 2, 3), state=state, light=HEADLIGHT,
+        sieve=Sieve(1, shortest=4.0), weld=Weld(0.5, criterion), coat=-1,
+    )  # fmt: skip
+    assert "write Pass(bodies, shader, element" in said(capsys)
+    assert replace(old, coat=2).coat == 2
+    assert said(capsys) == ""
+    with pytest.raises(TypeError, match="unexpected keyword argument 'colour'"):
+        Pass(MESH, BODIES, "surface", colour=1)  # type: ignore[call-arg, arg-type]
+
+
+def test_back_faces_of_a_batch(capsys: pytest.CaptureFixture[str]) -> None:
+    batch, seen, ink = cube(), camera(), (0.0, 0.0, 0.0)
+    new = BackFaces((Body((batch,), seen),), 2.0, ink, smooth=False)
+    assert said(capsys) == ""
+    assert BackFaces(batch, seen, 2.0, ink, smooth=False) == new  # type: ignore[arg-type, call-arg]
+    assert "write BackFaces(layer.bodies" in said(capsys)
+
+
+def test_bodies_of_a_layer_were_a_function() -> None:
+    layer = usual()
+    assert glshim.bodies(layer) is layer.bodies
+
+
+OLD = """
+from dataclasses import dataclass
+from typing import ClassVar
+from glshim import Choice, Draw, Layer, Pass, Shader, Styler, bodies, option
+@dataclass(frozen=True)
+class Old(Styler):
+    name: ClassVar[str] = "old"
+    size: float = option(3.0, help="s", low=1, high=9)
+    def draws(self, layer: Layer) -> "list[Draw | Pass]":
+        assert len(bodies(layer)) == 1
+        return [Draw(batch, camera, Choice(True, None), Shader("s", "", "", 4), {"size": self.size})
+                for batch, camera in layer.items]
+"""
+
+
+def test_a_whole_styler_of_then(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "old.py").write_text(OLD)
+    drawn = list(parse_style("old.py:Old:size=2", str(tmp_path)).draws(usual()))
+    assert [len(one.bodies[0].batches) for one in drawn] == [1, 1]  # type: ignore[union-attr]
+    assert said(capsys).count("\n") == 2
+
+
+def test_bodies_keep_the_order_of_drawing() -> None:
+    from glshim.styling.values import in_order
+
+    one, other = camera(), camera((1.0, 2.0, 3.0))
+    first, second, third = cube(), cube(0.5), cube(0.1)
+    layer = Layer(((first, one), (second, other), (third, one)))
+    assert [body.batches for body in layer.bodies] == [(first, third), (second,)]
+    assert in_order(layer.bodies) == list(layer.items)
+    assert in_order(layer.bodies[:1]) == [(first, one), (third, one)]
+    assert layer.bodies is layer.bodies
