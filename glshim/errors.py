@@ -48,3 +48,17 @@ def nearest(name: str, known: Iterable[str]) -> tuple[str, ...]:
         if found:
             return tuple(found)
     return ()
+
+
+def unknown(what: str, word: str, known: Iterable[str], form: str = "{}") -> UnknownNameError:
+    """The error of a word that stands for nothing, with the nearest known ones, or all.
+
+    what: the beginning of its message; form: how a known one is written."""
+    known = tuple(known)
+    near = nearest(word, known)
+    if near:
+        hint = f"did you mean {' or '.join(form.format(each) for each in near)}?"
+    else:
+        listed = ", ".join(form.format(each) for each in known)
+        hint = f"there are {listed}" if listed else "it has none"
+    return UnknownNameError(f"{what}: {hint}", near)

@@ -126,10 +126,9 @@ def variables_for(asked: argparse.Namespace) -> dict[str, str]:
 
 def _styles(asked: argparse.Namespace) -> int:
     from glshim.styling import registry
-    from stylers.looks import looks
 
-    for name in asked.names or (*registry.names(), *looks()):
-        is_look = name in looks()
+    for name in asked.names or (*registry.names(), *registry.looks()):
+        is_look = name in registry.looks()
         print(texts.describe_look(name) if is_look else texts.describe(registry.load(name)))
     return 0
 

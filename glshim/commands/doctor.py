@@ -15,7 +15,6 @@ from importlib.util import find_spec
 from pathlib import Path
 from statistics import median
 
-from glshim import __version__
 from glshim.commands.probe import Probe
 from glshim.control import keys
 from glshim.errors import EnvironmentFault, StyleError
@@ -43,7 +42,8 @@ def print_report(*, headless: bool = False) -> int:
     """Print everything; the status is 1 when something of it will not work here."""
     troubles: list[str] = []
     _heading("glshim")
-    _row("version", f"{__version__} on Python {platform.python_version()}, {platform.platform()}")
+    ours = _version_of("glshim") or "not installed"
+    _row("version", f"{ours} on Python {platform.python_version()}, {platform.platform()}")
     found = launch.startup_file()
     _row("start-up file", found or "missing")
     if found is None:
@@ -51,6 +51,9 @@ def print_report(*, headless: bool = False) -> int:
             "GLSHIM_STYLE has no effect: install glshim into this Python (pip install .)"
         )
     _row("styles", ", ".join(registry.names()) or "none installed")
+    _row("looks", ", ".join(registry.looks()) or "none installed")
+    if not registry.names() or not registry.looks():
+        troubles.append("styles or looks are missing: install glshim anew (pip install .)")
     _environment(troubles)
     _heading("packages and libraries")
     for name in _PACKAGES:

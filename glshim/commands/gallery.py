@@ -17,7 +17,6 @@ from glshim.running import subjects
 from glshim.running.gallery.runs import Run, run_all, styled
 from glshim.running.gallery.sheet import Tile
 from glshim.styling import registry, texts
-from stylers.looks import looks
 
 PLAIN = "none"
 _SECONDS = 180.0
@@ -113,7 +112,7 @@ def _checked(texts: list[str], *, tolerant: bool) -> tuple[list[str], dict[str, 
 
 def all_styles() -> list[str]:
     """Every installed style and look, the program's own picture first."""
-    return list(dict.fromkeys((PLAIN, *registry.names(), *looks())))
+    return list(dict.fromkeys((PLAIN, *registry.names(), *registry.looks())))
 
 
 def split_styles(text: str) -> list[str]:
@@ -142,7 +141,7 @@ def _file_names(texts: list[str]) -> list[str]:
 def _tile(ended: Run) -> Tile:
     name = ended.name.partition(":")[0].strip()
     details, summary = "", ""
-    if name in looks():
+    if name in registry.looks():
         details = texts.describe_look(name)
     elif not name.endswith(".toml"):
         details = texts.describe(registry.load(name))

@@ -27,7 +27,6 @@ from glshim.outputs.gl import framegrab, overlay
 from glshim.styling import registry, texts
 from glshim.styling.protocol import Styler, options_of
 from glshim.toolkits import frames, keyboard
-from stylers.looks import looks
 
 _PLAIN = "none"
 _LABELS = {"cycle": "style", "back": "back", "toggle": "on/off", "save": "PNG", "overlay": "hide"}
@@ -196,7 +195,7 @@ class Controls:
 def cycle_of(styles: Sequence[str], first: str | None) -> tuple[str, ...]:
     """The texts of styles to go through: those given, or all that are installed; the one that is on
     is among them, or comes first."""
-    texts = tuple(styles) or tuple(n for n in (*registry.names(), *looks()) if n != _PLAIN)
+    texts = tuple(styles) or tuple(n for n in (*registry.names(), *registry.looks()) if n != _PLAIN)
     if not first or first == _PLAIN:
         return texts
     at = texts.index(first) if first in texts else len(texts)

@@ -1,19 +1,33 @@
-"""Stylers by name: whatever is installed under the entry points ``glshim.stylers``."""
+"""What is installed, by name: stylers, under the entry points ``glshim.stylers``, and looks, which
+are style files, in packages named under ``glshim.looks``::
+
+    [project.entry-points."glshim.stylers"]
+    dots = "my_package.dots:Dots"
+    [project.entry-points."glshim.looks"]
+    my_package = "my_package.looks"      # a folder of TOML files
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
+from importlib.util import find_spec
+from pathlib import Path
+from types import MappingProxyType
 
-from glshim.errors import StyleError, UnknownNameError, nearest
+from glshim.errors import StyleError, unknown
+from glshim.notices import say_once
 from glshim.styling.protocol import Styler
 
-GROUP = "glshim.stylers"
+STYLERS, LOOKS = "glshim.stylers", "glshim.looks"
+FILE = ".toml"
+"""How the name of a style file ends."""
 
 
 @cache
 def _found() -> dict[str, EntryPoint]:
-    return {point.name: point for point in entry_points(group=GROUP)}
+    return {point.name: point for point in entry_points(group=STYLERS)}
 
 
 def names() -> tuple[str, ...]:
@@ -21,21 +35,51 @@ def names() -> tuple[str, ...]:
     return tuple(sorted(_found()))
 
 
+@cache
+def looks() -> Mapping[str, Path]:
+    """The style file of each installed look, sorted by name.
+
+    A name is a styler's first; of two looks called alike the one that comes first on Python's path
+    counts. A package that cannot be found has no looks, which is said once.
+    """
+    found: dict[str, Path] = {}
+    for point in entry_points(group=LOOKS):
+        try:
+            for folder in _folders(point.value):
+                for path in folder.glob("*" + FILE):
+                    found.setdefault(path.stem, path)
+        except (ImportError, ValueError) as error:
+            say_once(f"the looks of {point.name!r} ({point.value}) cannot be found: {error}")
+    return MappingProxyType({name: found[name] for name in sorted(found) if name not in _found()})
+
+
+def _folders(package: str) -> list[Path]:
+    """Where a package lies, which is not imported (what it lies in is). Raises ImportError."""
+    spec = find_spec(package)
+    if spec is None or spec.submodule_search_locations is None:
+        raise ImportError(f"there is no package {package}")
+    return [*map(Path, spec.submodule_search_locations)]
+
+
+def forget() -> None:
+    """Look for what is installed anew."""
+    _found.cache_clear()
+    looks.cache_clear()
+
+
 def load(name: str) -> type[Styler]:
     """The class of the styler of that name.
 
-    Raises `UnknownNameError` (with the nearest matches) when there is none, `StyleError` when
-    it cannot be imported or is no `Styler`.
+    Raises `UnknownNameError` (with the nearest matches, of stylers and looks) when there is none,
+    `StyleError` when it cannot be imported or is not a `Styler`.
     """
     point = _found().get(name)
     if point is None:
-        near = nearest(name, names())
-        hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(names())}"
-        raise UnknownNameError(f"no style is called {name!r}: {hint}", near)
+        raise unknown(f"no style is called {name!r}", name, (*names(), *looks()))
     try:
         found = point.load()
     except Exception as error:
         raise StyleError(f"style {name!r} ({point.value}) cannot be loaded: {error}") from error
     if not (isinstance(found, type) and issubclass(found, Styler)):
-        raise StyleError(f"style {name!r} ({point.value}) is no glshim Styler")
+        raise StyleError(f"style {name!r} ({point.value}) is not a glshim Styler")
     return found

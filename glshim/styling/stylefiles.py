@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, UnknownNameError, nearest
+from glshim.errors import StyleError, unknown
 from glshim.styling.protocol import Option, Styler, options_of
 
 if sys.version_info >= (3, 11):
@@ -184,18 +184,6 @@ def _called(feature: str) -> tuple[str, ...]:
     """One and several of a feature."""
     several = (feature + "s", feature + "es")
     return (feature, *several, *([feature[:-1] + "ies"] if feature.endswith("y") else []))
-
-
-def unknown(what: str, word: str, known: Iterable[str], form: str = "{}") -> UnknownNameError:
-    """The error of a word that nobody knows, with the nearest known ones, or all."""
-    known = tuple(known)
-    near = nearest(word, known)
-    if near:
-        hint = f"did you mean {' or '.join(form.format(each) for each in near)}?"
-    else:
-        listed = ", ".join(form.format(each) for each in known)
-        hint = f"there are {listed}" if listed else "it has none"
-    return UnknownNameError(f"{what}: {hint}", near)
 
 
 def _holds(table: Any, key: Sequence[str]) -> bool:

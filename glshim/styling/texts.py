@@ -12,19 +12,19 @@ from typing import Any
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import fromfile, registry
 from glshim.styling.protocol import Styler, options_of
-from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file, unknown
-from stylers.looks import looks
+from glshim.styling.registry import FILE, looks
+from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file
 
 STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
-FILE = ".toml"
+
 
 def parse_style(
     text: str, folder: str = "", files: list[Path] | None = None, chain: tuple[Path, ...] = ()
 ) -> Styler:
     """A name, the path of a style file (TOML), or a class in a Python file, the first and the last
     with options after it: ``name:key=value,key=value``, ``my_style.py:MyStyle:key=value``. A name
-    is a style's, or a look's: that of a style file that comes with glshim. Paths in a text are
-    taken from the folder, those in a file from where that lies.
+    is a style's, or a look's: that of an installed style file. Paths in a text are taken from the
+    folder, those in a file from where that lies.
 
     files: gets every file that the style depends on, also those of a text that does not hold up.
     chain: the style files that extend this text, the outermost first.
@@ -33,7 +33,7 @@ def parse_style(
     text = text.strip()
     files = [] if files is None else files
     if not text.isprintable():
-        raise StyleError(f"{text!r} is no style: it holds characters that are not printable")
+        raise StyleError(f"{text!r} is not a style: it holds characters that are not printable")
     if text.endswith(FILE):
         return load_style(Path(folder, text), files, chain)
     if fromfile.is_named_in(text):
@@ -126,8 +126,7 @@ def _load(name: str, folder: str, files: list[Path]) -> type[Styler]:
             raise StyleError(
                 f"{name} is a file: a style file is given alone, as NAME.toml"
             ) from error
-        known = (*registry.names(), *looks())
-        raise unknown(f"no style is called {name!r}", name, known) from error
+        raise
 
 
 def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:

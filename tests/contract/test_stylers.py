@@ -14,7 +14,6 @@ from glshim.checks.finding import Check, finding
 from glshim.checks.layers import usual
 from glshim.styling import registry
 from glshim.styling.protocol import Styler
-from stylers.looks import looks
 from stylers.strokes import MADE
 
 
@@ -30,7 +29,7 @@ SWEEPS = values.CHECKS[-2:]
 def checked() -> Iterator[object]:
     """Pairs of a style and a check."""
     for check in values.CHECKS:
-        for style in (*registry.names(), *(() if check in SWEEPS else looks())):
+        for style in (*registry.names(), *(() if check in SWEEPS else registry.looks())):
             yield pytest.param(style, check, id=f"{style}-{check.title}")
 
 

@@ -13,6 +13,7 @@ from PIL import Image
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
 from glshim.styling.protocol import Option, Styler, options_of
+from glshim.styling.registry import looks
 from glshim.styling.texts import (
     describe,
     describe_look,
@@ -21,7 +22,6 @@ from glshim.styling.texts import (
     parse_style,
     read_environment,
 )
-from stylers.looks import looks
 from stylers.raskar import Raskar
 from stylers.strokes import MADE
 
