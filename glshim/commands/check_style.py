@@ -1,24 +1,42 @@
-"""``glshim check-style``."""
+"""``glshim check-style``: whether a style keeps to what all styles keep to."""
 
 from __future__ import annotations
 
+import argparse
 import os
 import subprocess
 import sys
 from contextlib import nullcontext
+from typing import ClassVar
 
+from glshim.commands.command import Command
 from glshim.running import launch
 from glshim.running.headless import virtual_screen
 
 
-def check_style(text: str, *, headless: bool) -> int:
-    """Print what holds and what does not of a style: 0 where all does, 1 where not, 2 where there
-    is no screen. Raises `EnvironmentFault`."""
-    command = [sys.executable, *launch.interpreter_flags(), "-m", "glshim.checks", text]
-    with virtual_screen() if headless else nullcontext(dict(os.environ)) as environ:
-        plain = {key: value for key, value in environ.items() if not key.startswith("GLSHIM_")}
-        status = subprocess.run(command, env=plain, check=False).returncode
-    if status < 0:
-        print(f"WRONG the process was ended by signal {-status}\n      a shader or a draw did that")
-        return 1
-    return status
+class CheckStyle(Command):
+    """Exit status: 0 where all holds, 1 where something does not, 2 where there is no screen."""
+
+    name: ClassVar[str] = "check-style"
+    help: ClassVar[str] = "try a style against what all styles keep to"
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        parser.add_argument(
+            "style", metavar="STYLE", help="a name, FILE.toml or my_style.py:MyStyle"
+        )
+        parser.add_argument("--headless", action="store_true", help="draw on a virtual screen")
+
+    def run(self, asked: argparse.Namespace) -> int:
+        """Print what holds and what does not. Raises `EnvironmentFault`."""
+        python = [sys.executable, *launch.interpreter_flags()]
+        with virtual_screen() if asked.headless else nullcontext(dict(os.environ)) as environ:
+            plain = {key: value for key, value in environ.items() if not key.startswith("GLSHIM_")}
+            # In a process of its own: a shader or a draw may take it down.
+            status = subprocess.run(
+                [*python, "-m", "glshim.checks", asked.style], env=plain, check=False
+            ).returncode
+        if status < 0:
+            print(f"WRONG the process was ended by signal {-status}")
+            print("      a shader or a draw did that")
+            return 1
+        return status

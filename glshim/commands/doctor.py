@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-import json
+import argparse
 import os
 import platform
 import shutil
-import subprocess
-import sys
-import time
-from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from importlib.util import find_spec
 from pathlib import Path
-from statistics import median
+from typing import ClassVar
 
-from glshim.commands.probe import Probe
+from glshim.commands.command import Command
 from glshim.control import keys
 from glshim.errors import EnvironmentFault, StyleError
-from glshim.running import launch
+from glshim.running import launch, probe, startup_cost
 from glshim.running.headless import virtual_screen
-from glshim.spec.context import MODERN, UNAVAILABLE
+from glshim.spec.context import UNAVAILABLE
 from glshim.styling import registry, texts
-from glshim.toolkits.toolkits import TOOLKITS
 
-_PROBE_SECONDS = 60
 _VARIABLES = (texts.STYLE, texts.FRAMES, texts.CAPTURE, keys.KEYS)
 
 _PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pillow", "trimesh")
@@ -36,6 +30,26 @@ _LIBRARIES = {
 }
 _DISTRIBUTIONS = {"OpenGL": "PyOpenGL", "sdl2": "PySDL2", "wx": "wxPython"}
 """By package, where the names differ."""
+
+
+class Doctor(Command):
+    """Exit status: 0, or 1 where something will not work here."""
+
+    name: ClassVar[str] = "doctor"
+    help: ClassVar[str] = "say what is here and what will not work"
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        parser.add_argument(
+            "--headless", action="store_true", help="look at GL on a virtual screen"
+        )
+        parser.add_argument(
+            "--startup-cost", action="store_true", help="measure what glshim adds to Python's start"
+        )
+
+    def run(self, asked: argparse.Namespace) -> int:
+        if asked.startup_cost:
+            return print_startup_cost()
+        return print_report(headless=asked.headless)
 
 
 def print_report(*, headless: bool = False) -> int:
@@ -105,9 +119,9 @@ def _context(headless: bool, troubles: list[str]) -> None:
     try:
         if headless:
             with virtual_screen() as environ:
-                found = ask(environ)
+                found = probe.ask(environ)
         else:
-            found = ask(os.environ)
+            found = probe.ask(os.environ)
     except EnvironmentFault as error:
         _row("context", error)
         troubles.append(f"no window opens here: {error}" + ("" if headless else "; try --headless"))
@@ -121,31 +135,16 @@ def _context(headless: bool, troubles: list[str]) -> None:
         _row("extra lines", f"no: {found.shortcoming}")
         troubles.append(f"no extra lines: {found.shortcoming}; programs run plain")
         return
-    modern = found.number >= MODERN
-    who = "the GPU (OpenGL 3.3)" if modern else "the CPU (OpenGL 2.1)"
+    who = "the GPU (OpenGL 3.3)" if found.expands_on_gpu else "the CPU (OpenGL 2.1)"
     _row("extra lines", f"yes, expanded by {who}")
-    if not modern:
+    if not found.expands_on_gpu:
         _row("unavailable", UNAVAILABLE)
         troubles.append(f"{UNAVAILABLE}, this is {found.version}; the other lines are drawn")
 
 
-def ask(environ: Mapping[str, str]) -> Probe:
-    """The context that a window gets in this environment. Raises `EnvironmentFault`."""
-    plain = {name: text for name, text in environ.items() if name not in _VARIABLES}
-    command = [sys.executable, "-m", "glshim.commands.probe"]
-    try:
-        done = subprocess.run(
-            command, env=plain, capture_output=True, text=True, timeout=_PROBE_SECONDS, check=False
-        )
-    except subprocess.TimeoutExpired as error:
-        raise EnvironmentFault(f"no answer from the display in {_PROBE_SECONDS} s") from error
-    if done.returncode != 0:
-        lines = done.stderr.strip().splitlines()
-        raise EnvironmentFault(lines[-1] if lines else f"the probe died ({done.returncode})")
-    return Probe(**json.loads(done.stdout))
-
-
 def _toolkits() -> None:
+    from glshim.toolkits.toolkits import TOOLKITS  # which loads the hooks
+
     _heading("toolkits")
     packages: dict[str, list[str]] = {}
     for toolkit in TOOLKITS:
@@ -172,39 +171,14 @@ def print_startup_cost() -> int:
         raise EnvironmentFault(f"{launch.STARTUP_FILE} is not installed into this Python")
     for name in _VARIABLES:
         os.environ.pop(name, None)
-    line = path.read_text(encoding="utf-8")
-    costs = []
-    for _ in range(2000):
-        began = time.perf_counter()
-        exec(line, {})  # what `site` does with it
-        costs.append(time.perf_counter() - began)
+    file, times, starts = startup_cost.of_file(path), startup_cost.TIMES, startup_cost.STARTS
     print(f"start-up file                       {path}")
-    print(f"no GLSHIM_* variable set            {median(costs) * 1e6:8.1f} us (median of 2000)")
-    print(f"  of glshim imported                {_imported({}) or 'nothing'}")
-    print(f"a whole start of Python, not set    {_start({}) * 1e3:8.2f} ms (median of 15)")
-    armed = {texts.STYLE: "raskar"}
-    print(
-        f"a whole start of Python, set        {_start(armed) * 1e3:8.2f} ms, no PyOpenGL imported"
-    )
+    print(f"no GLSHIM_* variable set            {file * 1e6:8.1f} us (median of {times})")
+    print(f"  of glshim imported                {startup_cost.imported() or 'nothing'}")
+    plain, armed = startup_cost.of_python({}), startup_cost.of_python({texts.STYLE: "raskar"})
+    print(f"a whole start of Python, not set    {plain * 1e3:8.2f} ms (median of {starts})")
+    print(f"a whole start of Python, set        {armed * 1e3:8.2f} ms, no PyOpenGL imported")
     return 0
-
-
-def _imported(variables: Mapping[str, str]) -> str:
-    code = "import sys; print(*(m for m in sys.modules if 'glshim' in m))"
-    command = [sys.executable, "-c", code]
-    environ = {**os.environ, **variables}
-    return subprocess.run(
-        command, env=environ, capture_output=True, text=True, check=True
-    ).stdout.strip()
-
-
-def _start(variables: Mapping[str, str]) -> float:
-    costs = []
-    for _ in range(15):
-        began = time.perf_counter()
-        subprocess.run([sys.executable, "-c", "pass"], env={**os.environ, **variables}, check=True)
-        costs.append(time.perf_counter() - began)
-    return median(costs)
 
 
 def _version_of(distribution: str) -> str | None:

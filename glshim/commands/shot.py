@@ -1,16 +1,13 @@
-"""The command ``glshim shot``.
-
-Exit status: 0; 1 where there is no picture, with the reason; 2 for a command that makes no sense;
-130 after Ctrl-C.
-"""
+"""``glshim shot``: one picture of a program, at any size."""
 
 from __future__ import annotations
 
 import argparse
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import ClassVar
 
+from glshim.commands.command import STYLE, Command
 from glshim.errors import EnvironmentFault
 from glshim.notices import say
 from glshim.running import subjects
@@ -22,58 +19,64 @@ _SECONDS = 600.0
 _LEAST_TILE = 64
 
 
-def add_command(commands: Any, style: str) -> None:
-    """Add it to the subparsers; style: the one that is drawn in unless another is asked for."""
-    parser = commands.add_parser(
-        "shot", help="write one picture of a program, at any size",
-        usage="glshim shot [options] (SCRIPT | -m MODULE | MODEL) [ARGS...] [-o OUT.png]",
-    )  # fmt: skip
-    subjects.add_arguments(parser)
-    parser.add_argument(
-        "-o", "--output", default="shot.png", metavar="OUT.png", help="(default: %(default)s)"
-    )
-    parser.add_argument("--style", default=style, help="as for glshim run (default: %(default)s)")
-    size = parser.add_mutually_exclusive_group()
-    size.add_argument("--size", metavar="WxH", help="pixels of the picture, e.g. 6000x4500")
-    size.add_argument("--scale", metavar="K", help="times the window's size (default: 4)")
-    parser.add_argument(
-        "--tile", type=int, default=MOST_SIDE, metavar="N",
-        help="pixels of what is drawn at once, a side; fewer take less memory and more frames "
-        "(default: %(default)s)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--timeout", type=float, default=_SECONDS, metavar="SECONDS", help="(default: %(default)g)"
-    )
-    parser.set_defaults(command=run)
+class Shot(Command):
+    """Exit status: 0; 1 where there is no picture, with the reason; 2 for a command that makes no
+    sense; 130 after Ctrl-C."""
 
+    name: ClassVar[str] = "shot"
+    help: ClassVar[str] = "write one picture of a program, at any size"
+    usage: ClassVar[str | None] = (
+        "glshim shot [options] (SCRIPT | -m MODULE | MODEL) [ARGS...] [-o OUT.png]"
+    )
 
-def run(asked: argparse.Namespace) -> int:
-    """Take the shot; the exit status."""
-    subject = subjects.subject_of(asked)
-    picture = Path(asked.output).absolute()
-    if picture.suffix.lower() != ".png":
-        raise EnvironmentFault(f"{asked.output!r} is no name for a picture: it ends in .png")
-    if asked.tile < _LEAST_TILE or not asked.timeout > 0:
-        raise EnvironmentFault(f"--tile is at least {_LEAST_TILE}, --timeout greater than zero")
-    plan = Plan(str(picture), subjects.frame_of(asked), tile=asked.tile)
-    if asked.size is not None:
-        plan = replace(plan, size=parse_size(asked.size))
-    else:
-        plan = replace(plan, scale=parse_scale(asked.scale or "4"))
-    variables = {texts.STYLE: subjects.style_variable(asked.style), VARIABLE: plan.as_text()}
-    try:
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        shot = Run(asked.style, variables, picture)
-        (ended,) = run_all(subject.command, [shot], asked.timeout)
-    except KeyboardInterrupt:
-        say("stopped, no picture is written")
-        return 130
-    except OSError as error:
-        raise EnvironmentFault(f"cannot write {picture}: {error}") from error
-    for note in ended.notes:
-        say(note)
-    if ended.fault:
-        say(ended.fault)
-        return 1
-    print(picture)
-    return 0
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        subjects.add_arguments(parser)
+        parser.add_argument(
+            "-o", "--output", default="shot.png", metavar="OUT.png", help="(default: %(default)s)"
+        )
+        parser.add_argument(
+            "--style", default=STYLE, help="as for glshim run (default: %(default)s)"
+        )
+        size = parser.add_mutually_exclusive_group()
+        size.add_argument("--size", metavar="WxH", help="pixels of the picture, e.g. 6000x4500")
+        size.add_argument("--scale", metavar="K", help="times the window's size (default: 4)")
+        parser.add_argument(
+            "--tile", type=int, default=MOST_SIDE, metavar="N",
+            help="pixels of what is drawn at once, a side; fewer take less memory and more frames "
+            "(default: %(default)s)",
+        )  # fmt: skip
+        parser.add_argument(
+            "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
+            help="(default: %(default)g)",
+        )  # fmt: skip
+
+    def run(self, asked: argparse.Namespace) -> int:
+        """Take the shot."""
+        subject = subjects.subject_of(asked)
+        picture = Path(asked.output).absolute()
+        if picture.suffix.lower() != ".png":
+            raise EnvironmentFault(f"{asked.output!r} does not name a picture: it ends in .png")
+        if asked.tile < _LEAST_TILE or not asked.timeout > 0:
+            raise EnvironmentFault(f"--tile is at least {_LEAST_TILE}, --timeout greater than zero")
+        plan = Plan(str(picture), subjects.frame_of(asked), tile=asked.tile)
+        if asked.size is not None:
+            plan = replace(plan, size=parse_size(asked.size))
+        else:
+            plan = replace(plan, scale=parse_scale(asked.scale or "4"))
+        variables = {texts.STYLE: subjects.style_variable(asked.style), VARIABLE: plan.as_text()}
+        try:
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            shot = Run(asked.style, variables, picture)
+            (ended,) = run_all(subject.command, [shot], asked.timeout)
+        except KeyboardInterrupt:
+            say("stopped, no picture is written")
+            return 130
+        except OSError as error:
+            raise EnvironmentFault(f"cannot write {picture}: {error}") from error
+        for note in ended.notes:
+            say(note)
+        if ended.fault:
+            say(ended.fault)
+            return 1
+        print(picture)
+        return 0

@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from glshim.errors import StyleError, nearest
+from glshim.errors import StyleError, nearest, unknown
+from glshim.styling import texts
 from glshim.toolkits.keyboard import MODIFIERS, NAMES, SPECIAL, chord
 
 KEYS, STYLES, SAVE = "GLSHIM_KEYS", "GLSHIM_STYLES", "GLSHIM_SAVE"
@@ -49,16 +50,16 @@ def parse_chord(text: str) -> str:
     known = {key.lower(): key for key in NAMES}
     key = known.get(name.lower())
     if key is None:
-        near = nearest(name, NAMES)
-        all_keys = ", ".join(("F1 to F12, A to Z, 0 to 9", *SPECIAL))
-        hint = f"did you mean {' or '.join(near)}?" if near else f"there are {all_keys}"
-        raise StyleError(f"no key is called {name!r}: {hint}")
+        what = f"no key is called {name!r}"
+        if nearest(name, NAMES):
+            raise unknown(what, name, NAMES)
+        raise StyleError(f"{what}: there are F1 to F12, A to Z, 0 to 9, {', '.join(SPECIAL)}")
     for modifier in modifiers:
         if modifier.lower() not in MODIFIERS:
-            raise StyleError(f"{modifier!r} goes with no key: there are {', '.join(MODIFIERS)}")
+            raise StyleError(f"{modifier!r} is not a modifier: there are {', '.join(MODIFIERS)}")
     held = {modifier.lower() for modifier in modifiers}
     if key.isdigit() and "shift" in held:
-        raise StyleError(f"{text.strip()}: a digit with shift is another key on every keyboard")
+        raise StyleError(f"{text.strip()}: a digit with shift is another character")
     return chord(key, held)
 
 
@@ -79,9 +80,7 @@ def parse_keys(text: str) -> Keys | None:
                 f"e.g. cycle=F5,overlay=off; actions are {', '.join(DEFAULTS)}"
             )
         if action not in DEFAULTS:
-            near = nearest(action, DEFAULTS)
-            hint = f"did you mean {' or '.join(near)}?" if near else f"do {', '.join(DEFAULTS)}"
-            raise StyleError(f"no key can {action!r}: {hint}")
+            raise unknown(f"no action is called {action!r}", action, DEFAULTS)
         named.add(action)
         chords[action] = "" if key.lower() in NO_KEYS else parse_chord(key)
     if "cycle" in named and "back" not in named:  # back goes the same way with shift
@@ -98,11 +97,9 @@ def parse_keys(text: str) -> Keys | None:
 
 
 def parse_styles(text: str, folder: str = "") -> tuple[str, ...]:
-    """``raskar,sketch,mine.toml``: style texts; texts with options hold commas and are parted by
-    semicolons, ``raskar;sketch:width=3,ink=#ff0000``. Style files are taken from the folder."""
-    pieces = text.split(";" if ";" in text else ",")
-    found = [piece.strip() for piece in pieces if piece.strip()]
-    return tuple(os.path.join(folder, each) if each.endswith(".toml") else each for each in found)
+    """A list of style texts, see `glshim.styling.texts.split_styles`; files are taken from the
+    folder. Raises `StyleError`."""
+    return tuple(texts.anchored(each, folder) for each in texts.split_styles(text))
 
 
 def read_environment(

@@ -25,7 +25,8 @@ from glshim.errors import GlshimError
 from glshim.notices import say, say_once
 from glshim.outputs.gl import framegrab, overlay
 from glshim.styling import registry, texts
-from glshim.styling.protocol import Styler, options_of
+from glshim.styling.descriptions import changed_options
+from glshim.styling.protocol import Styler
 from glshim.toolkits import frames, keyboard
 
 _PLAIN = "none"
@@ -200,15 +201,6 @@ def cycle_of(styles: Sequence[str], first: str | None) -> tuple[str, ...]:
         return texts
     at = texts.index(first) if first in texts else len(texts)
     return (first, *texts[at + 1 :], *texts[:at])
-
-
-def changed_options(styler: Styler) -> list[str]:
-    """``ink=#ff0000``: the options that are not their defaults."""
-    return [
-        f"{each.name}={each.show(getattr(styler, each.name))}"
-        for each in options_of(type(styler))
-        if getattr(styler, each.name) != each.default
-    ]
 
 
 class FrameClock:

@@ -45,8 +45,8 @@ class Reloader:
         """What was said of the files as they are, with a sum of their contents."""
 
     def read(self) -> Styler:
-        """The styler that the files make now; they are watched from here on, also where they do
-        not hold up. Raises `GlshimError`."""
+        """The styler that the files make now; they are watched from here on, also where they
+        are not valid. Raises `GlshimError`."""
         files: list[Path] = []
         # Looked at first: what is written while it is read is read again.
         before = dict(zip(self._files, stamp(self._files), strict=True))
@@ -101,7 +101,7 @@ class Reloader:
         self._doubtful = False
         mended, self._refused = self._refused is not None, None
         if mended:
-            say(f"{self._text} holds up again")
+            say(f"{self._text} is valid again")
         if styler != self._styler:
             self._take(styler)
 

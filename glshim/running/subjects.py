@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -72,7 +73,7 @@ def style_variable(text: str) -> str:
     if not text.strip():
         raise StyleError("a style has a name: see glshim styles")
     texts.parse_style(text)
-    return str(Path(text).absolute()) if text.endswith(".toml") else text
+    return texts.anchored(text, os.getcwd())
 
 
 def surroundings(environ: Mapping[str, str]) -> dict[str, str]:

@@ -37,7 +37,7 @@ _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)\Z
 
 
 class StyleFileError(StyleError):
-    """A style file does not hold up; the message begins with its path and the line."""
+    """A style file is not valid; the message begins with its path and the line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,15 +122,15 @@ class StyleFile:
 
 def read_style_file(path: Path) -> StyleFile:
     """Read a file as TOML. Raises `StyleError` where it cannot be read, `StyleFileError` where it
-    is no TOML."""
+    is not TOML."""
     try:
         content = path.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:  # ValueError: bytes that are no UTF-8, or no path
+    except (OSError, ValueError) as error:  # ValueError: bytes that are not UTF-8, or not a path
         reason = getattr(error, "strerror", None) or error
         raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
     try:
         return StyleFile(path, content, tomllib.loads(content))
-    except (ValueError, RecursionError) as error:  # ValueError: no TOML, or a number too long
+    except (ValueError, RecursionError) as error:  # ValueError: not TOML, or a number too long
         found = _PLACE.match(str(error))
         place, reason = "", str(error)
         if found:
@@ -154,7 +154,7 @@ def find(styler: type[Styler], key: Key) -> Option:
     if feature not in known:
         if feature in options:
             default = options[feature].show(options[feature].default)
-            raise StyleError(f"{feature} is one option, no table: write {feature} = {default!r}")
+            raise StyleError(f"{feature} is an option, not a table: write {feature} = {default!r}")
         what = f"style {styler.name!r} has no feature [{feature}]"
         raise unknown(what, feature, known, "[{}]")
     if rest not in known[feature]:

@@ -11,11 +11,12 @@ from typing import Any
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import fromfile, registry
-from glshim.styling.protocol import Styler, options_of
+from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE, looks
 from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file
 
 STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
+_ASSIGNMENT = re.compile(r"\w+\s*=")
 
 
 def parse_style(
@@ -80,6 +81,38 @@ def load_style(
         raise
     except StyleError as error:  # values that are fine alone
         raise StyleFileError(f"{path}: {error}") from error
+
+
+def split_styles(text: str) -> list[str]:
+    """The style texts of a list: ``raskar; sketch:width=3,ink=#ff0000, mine.toml``.
+
+    A semicolon parts two, and so does a comma, unless ``option=value`` follows it, which goes on
+    with the options before. Reading a list loads nothing: the texts may be of no use.
+    Raises `StyleError` for options that follow no style's options.
+    """
+    found: list[str] = []
+    for part in text.split(";"):
+        begins = True
+        for piece in filter(None, map(str.strip, part.split(","))):
+            if begins or not _ASSIGNMENT.match(piece):
+                found.append(piece)
+            elif has_options(found[-1]):
+                found[-1] += "," + piece
+            elif is_path(piece):
+                found.append(piece)
+            elif found[-1].endswith(FILE):
+                raise StyleError(f"{piece} follows {found[-1]}: options go into the file")
+            else:
+                raise StyleError(f"{piece} follows {found[-1]}: write {found[-1]}:{piece}")
+            begins = False
+    return found
+
+
+def has_options(text: str) -> bool:
+    """Whether a style text has come to its options, perhaps none of them yet."""
+    if fromfile.is_named_in(text):
+        return text.count(":", len(os.path.splitdrive(text)[0])) > 1
+    return ":" in text
 
 
 def anchored(text: str, folder: str) -> str:
@@ -151,7 +184,7 @@ class Settings:
 def parse_frames(text: str) -> int:
     """A whole number of frames, at least 1. Raises `StyleError`."""
     if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
-        raise StyleError(f"{text!r} is no number of frames: give a whole number from 1")
+        raise StyleError(f"{text!r} is not a number of frames: give a whole number from 1")
     return int(text)
 
 
@@ -160,7 +193,7 @@ def parse_capture(text: str, folder: str = "") -> str:
     rest = re.sub("%0?[0-9]*d", "", text, count=1)
     if "%" in rest or not text.lower().endswith(".png"):
         raise StyleError(
-            f"{text!r} is no file name for frames: it ends in .png "
+            f"{text!r} is not a file name for frames: it ends in .png "
             "and holds one %d or %03d, or none, for the frame's number"
         )
     return os.path.abspath(os.path.join(folder, text))
@@ -193,32 +226,3 @@ def read_environment(
         capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
     )
     return settings, tuple(complaints)
-
-
-def describe_look(name: str) -> str:
-    """A look for people: the first line of its file, and the text that says the same."""
-    path = looks()[name]
-    styler = load_style(path)
-    summary = path.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ")
-    changed = (
-        f"{o.name}={o.show(getattr(styler, o.name))}"
-        for o in options_of(type(styler))
-        if getattr(styler, o.name) != o.default
-    )
-    return f"{name}: {summary}\n  {styler.name}:{','.join(changed)}"
-
-
-def describe(styler: type[Styler]) -> str:
-    """A style for people: its first line of documentation and a line for each option."""
-    summary = (styler.__doc__ or "").strip().splitlines()
-    lines = [f"{styler.name}: {summary[0]}" if summary else styler.name]
-    options = options_of(styler)
-    widths = [
-        max((len(text) for text in column), default=0)
-        for column in zip(*((o.name, o.show(o.default), o.allowed) for o in options), strict=True)
-    ]
-    for option in options:
-        cells = (option.name, option.show(option.default), option.allowed)
-        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
-        lines.append(f"  {'  '.join(padded)}  {option.help}")
-    return "\n".join(lines)

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from glshim.commands import cli
+from glshim.running import launch
 
 LOOK = """
 import __main__, json, os, sys
@@ -149,7 +150,7 @@ def test_doctor_says_so_where_no_window_opens() -> None:
     done = glshim("doctor", environ={**environ, "GLSHIM_FRAMES": "none"})
     assert done.returncode == 1
     assert "no window opens here" in done.stdout
-    assert "GLSHIM_FRAMES: 'none' is no number" in done.stdout
+    assert "GLSHIM_FRAMES: 'none' is not a number" in done.stdout
 
 
 def test_doctor_measures_the_startup_cost() -> None:
@@ -177,5 +178,5 @@ def test_keys_are_on_in_the_viewer_and_elsewhere_when_asked_for(
 
     for name, text in environ.items():
         monkeypatch.setenv(name, text)
-    monkeypatch.setattr(cli.launch, "run", run)
+    monkeypatch.setattr(launch, "run", run)
     assert cli.main(command) == 7

@@ -65,12 +65,12 @@ def test_keys_that_are_named_replace_their_defaults(
     [
         ("cycle=F99", "no key is called 'F99': did you mean F9?"),
         ("cycle=hyper", "no key is called 'hyper': there are F1 to F12, A to Z, 0 to 9, Insert"),
-        ("cycle=meta+F3", "'meta' goes with no key: there are ctrl, alt, shift"),
-        ("cicle=F3", "no key can 'cicle': did you mean cycle?"),
+        ("cycle=meta+F3", "'meta' is not a modifier: there are ctrl, alt, shift"),
+        ("cicle=F3", "no action is called 'cicle': did you mean cycle?"),
         ("F3", "'F3' names no key: write on, off or ACTION=KEY"),
         ("cycle=", "'cycle=' names no key"),
         ("cycle=F10", "F10 would do two things, cycle and toggle"),
-        ("save=shift+7", "shift+7: a digit with shift is another key"),
+        ("save=shift+7", "shift+7: a digit with shift is another character"),
     ],
 )
 def test_a_bad_text_says_what_is_wrong(text: str, says: str) -> None:
@@ -98,10 +98,13 @@ def test_paths_are_taken_from_where_the_program_was_started(tmp_path: Path) -> N
     assert settings == LiveSettings(Keys(DEFAULTS), (), str(tmp_path))
 
 
-def test_styles_with_options_are_parted_at_semicolons() -> None:
-    assert parse_styles("raskar:ink=#ff0000,silhouette_width=3; fins") == (
-        "raskar:ink=#ff0000,silhouette_width=3", "fins",
-    )  # fmt: skip
+def test_a_list_that_makes_no_sense_is_said_and_all_styles_are_gone_through() -> None:
+    settings, complaints = read_environment({"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "fins,fill=cel"})
+    assert settings is not None
+    assert settings.styles == ()
+    assert complaints == (
+        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; all styles are gone through",
+    )
 
 
 @pytest.mark.parametrize(

@@ -11,16 +11,15 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
-from glshim.styling import registry
+from glshim.styling import descriptions, registry
 from glshim.styling.protocol import Option, Styler, options_of
 from glshim.styling.registry import looks
 from glshim.styling.texts import (
-    describe,
-    describe_look,
     parse_capture,
     parse_frames,
     parse_style,
     read_environment,
+    split_styles,
 )
 from stylers.raskar import Raskar
 from stylers.strokes import MADE
@@ -79,7 +78,7 @@ def test_a_look_is_a_style_file_that_comes_with_glshim(name: str) -> None:
     option = next(o for o in options_of(type(style)) if o.kind == "number")
     text = f" {name} : {option.name}={option.high:g},"
     assert parse_style(text) == dataclasses.replace(style, **{option.name: option.high})
-    title, text = describe_look(name).splitlines()
+    title, text = descriptions.of_look(name).splitlines()
     assert title.startswith(f"{name}: ")
     assert parse_style(text) == style
 
@@ -237,11 +236,59 @@ def test_a_capture_pattern_holds_one_number_at_most(text: str) -> None:
         parse_capture(text)
 
 
+@pytest.mark.parametrize(
+    ("text", "styles"),
+    [
+        ("", []),
+        (" ;, ", []),
+        ("raskar", ["raskar"]),
+        ("raskar, fins,", ["raskar", "fins"]),
+        ("raskar;fins; ", ["raskar", "fins"]),
+        ("none, raskar:ink=#000000,ridges=off,crease,watercolour",
+         ["none", "raskar:ink=#000000,ridges=off", "crease", "watercolour"]),
+        ("raskar:ridges=off, ink=#ff0000; fins", ["raskar:ridges=off,ink=#ff0000", "fins"]),
+        ("raskar;fins:fill=cel,crease", ["raskar", "fins:fill=cel", "crease"]),
+        ("none,raskar:ridges = off,ink = #ff0000,none:",
+         ["none", "raskar:ridges = off,ink = #ff0000", "none:"]),
+        ("raskar:,ridges=off", ["raskar:,ridges=off"]),
+        ("a/mine.toml,my.py:Glow:size=3,ink=#ff0000,charcoal",
+         ["a/mine.toml", "my.py:Glow:size=3,ink=#ff0000", "charcoal"]),
+        ("my.py:Glow,my.py:Other", ["my.py:Glow", "my.py:Other"]),
+        ("raskar,nosuch,fins", ["raskar", "nosuch", "fins"]),
+        ("raskar,a=b.toml", ["raskar", "a=b.toml"]),
+        ("raskar:ridges=off;a=b.toml", ["raskar:ridges=off", "a=b.toml"]),
+    ],
+)  # fmt: skip
+def test_a_list_of_styles_is_parted_where_a_style_begins(text: str, styles: list[str]) -> None:
+    assert split_styles(text) == styles
+    assert split_styles(";".join(styles)) == styles
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("raskar,ridges=off", "ridges=off follows raskar: write raskar:ridges=off"),
+        ("my.py:Glow,size=3", "size=3 follows my.py:Glow: write my.py:Glow:size=3"),
+        ("a.toml, ink=#ff0000", "ink=#ff0000 follows a.toml: options go into the file"),
+    ],
+)
+def test_options_of_no_style_say_what_to_write(text: str, says: str) -> None:
+    with pytest.raises(StyleError) as caught:
+        split_styles(text)
+    assert str(caught.value) == says
+
+
+@given(st.lists(st.sampled_from(["raskar", "fins:fill=cel", "a.toml", "m.py:Glow:size=3,ink=no",
+                                 "charcoal:paper=#aabbcc,marked=on"]), max_size=6))  # fmt: skip
+def test_a_list_of_valid_texts_reads_the_same_with_either_separator(styles: list[str]) -> None:
+    assert split_styles(",".join(styles)) == split_styles("; ".join(styles)) == styles
+
+
 def test_a_description_lists_every_option_with_range_and_default() -> None:
-    text = describe(registry.load("raskar"))
+    text = descriptions.of_styler(registry.load("raskar"))
     row = next(line for line in text.splitlines() if line.split()[0] == "ridge_angle")
     assert row.split()[:4] == ["ridge_angle", "120", "0..360", "degrees"]
-    assert describe(registry.load("none")).startswith("none: ")
+    assert descriptions.of_styler(registry.load("none")).startswith("none: ")
 
 
 @given(

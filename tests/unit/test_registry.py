@@ -10,7 +10,8 @@ import pytest
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
-from glshim.styling.texts import describe_look, parse_style
+from glshim.styling.descriptions import of_look
+from glshim.styling.texts import parse_style
 from stylers.raskar import Raskar
 
 
@@ -48,7 +49,7 @@ def test_a_package_of_others_brings_looks(site: Path) -> None:
     assert {"red_ink", "charcoal"} <= set(registry.looks())
     assert list(registry.looks()) == sorted(registry.looks())
     assert parse_style("red_ink:ridges=off") == Raskar(ridges=False, ink=(1.0, 0.0, 0.0))
-    assert describe_look("red_ink").startswith("red_ink: Lines in red.\n")
+    assert of_look("red_ink").startswith("red_ink: Lines in red.\n")
     with pytest.raises(UnknownNameError, match="did you mean red_ink"):
         parse_style("redink")
     mine = site / "mine.toml"

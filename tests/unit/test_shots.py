@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.commands.gallery import _file_names, all_styles, split_styles
+from glshim.commands.gallery import all_styles
 from glshim.errors import StyleError
+from glshim.running.gallery.tiles import file_names
 from glshim.running.shots.bitmaps import magnified
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
@@ -110,13 +111,6 @@ def test_lengths_in_pixels_grow_past_their_range_and_nothing_else_does() -> None
             assert after == (before * 100.0 if option.unit == "px" else before), option.name
 
 
-def test_styles_with_options_are_parted_at_styles() -> None:
-    assert split_styles("none, raskar:ink=#000000,ridges=off,crease,watercolour") == [
-        "none", "raskar:ink=#000000,ridges=off", "crease", "watercolour",
-    ]  # fmt: skip
-    assert split_styles("") == []
-
-
 def test_every_style_is_there_once_and_the_plain_one_first() -> None:
     styles = all_styles()
     assert styles[0] == "none" and len(set(styles)) == len(styles)
@@ -125,6 +119,6 @@ def test_every_style_is_there_once_and_the_plain_one_first() -> None:
 
 def test_pictures_have_names_of_their_own() -> None:
     texts = ["raskar:a=1", "raskar:a,1", "raskar_a_1", "../x/raskar.toml", "raskar", "::"]
-    names = _file_names(texts)
+    names = file_names(texts)
     assert len(set(names)) == len(texts)
     assert all("/" not in name and name.endswith(".png") for name in names)

@@ -106,7 +106,7 @@ def test_all_files_of_a_style_are_named_also_where_one_is_broken(
          "0..360 degrees"),
         ('style = "raskar"\n[rigde]\nangle = 3', ":3: style 'raskar' has no feature [rigde]: did "
          "you mean [ridge]?"),
-        ('style = "raskar"\n[ink]\nred = 3', ":3: ink is one option, no table"),
+        ('style = "raskar"\n[ink]\nred = 3', ":3: ink is an option, not a table"),
         ('style = "raskar"\n[ridge.angle]\nred = 3', ":2: ridge_angle={'red': 3} is not allowed"),
         ('style = "raskar"\nridge_width = 3\n[ridge]\nwidth = 4', ":4: ridge_width was given "
          "before (line 2)"),

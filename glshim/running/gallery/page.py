@@ -12,7 +12,7 @@ from urllib.parse import quote
 
 from PIL import Image
 
-from glshim.running.gallery.sheet import Tile
+from glshim.running.gallery.tiles import Tile
 
 
 def write_page(path: Path, title: str, tiles: Sequence[Tile], columns: int, sheet: Path) -> None:

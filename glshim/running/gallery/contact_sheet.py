@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
+
+from glshim.running.gallery.tiles import Tile
 
 _WIDTH = 400
 """Pixels of a picture on the sheet."""
@@ -15,21 +16,7 @@ _NAME, _TEXT = 19, 14
 _PAPER, _INK, _DIM, _RED = "#f6f5f2", "#1c1c1e", "#6c6c70", "#b3261e"
 
 
-@dataclass(frozen=True, slots=True)
-class Tile:
-    """One picture of a gallery."""
-
-    name: str
-    summary: str
-    details: str
-    """The options, as text of several lines."""
-    picture: Path
-    fault: str = ""
-    """Why there is no picture; empty when there is."""
-    notes: tuple[str, ...] = ()
-
-
-def write_sheet(path: Path, title: str, tiles: Sequence[Tile], columns: int) -> None:
+def write_contact_sheet(path: Path, title: str, tiles: Sequence[Tile], columns: int) -> None:
     """Write the tiles as one picture. Raises OSError where it cannot be written."""
     pictures = [None if tile.fault else Image.open(tile.picture).convert("RGB") for tile in tiles]
     shapes = [picture.height / picture.width for picture in pictures if picture]

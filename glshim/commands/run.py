@@ -1,0 +1,70 @@
+"""``glshim run``: a program of somebody's, restyled."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from collections.abc import Sequence
+from typing import ClassVar
+
+from glshim.commands.command import STYLE, Command
+from glshim.control import keys
+from glshim.running import launch
+from glshim.styling import texts
+
+
+class Run(Command):
+    """The exit status is the program's own."""
+
+    name: ClassVar[str] = "run"
+    help: ClassVar[str] = "run a program, restyled"
+    usage: ClassVar[str | None] = "glshim run [options] (SCRIPT | -m MODULE) [ARGS...]"
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        add_options(parser)
+        what = parser.add_mutually_exclusive_group(required=True)
+        what.add_argument("-m", dest="module", nargs=argparse.REMAINDER, help="run a module")
+        what.add_argument("script", nargs="?", help="the program, as python takes it")
+        parser.add_argument("arguments", nargs=argparse.REMAINDER, help="the program's own")
+
+    def run(self, asked: argparse.Namespace) -> int:
+        program = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]
+        return run_program(program, asked)
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """The options of a program that runs restyled."""
+    parser.add_argument(
+        "--style",
+        default=STYLE,
+        help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--keys", metavar="KEYS", help="keys while it runs: on, off or ACTION=KEY,ACTION=KEY"
+    )
+    parser.add_argument("--frames", metavar="N", help="end with status 0 after N frames")
+    parser.add_argument(
+        "--capture", metavar="OUT%03d.png", help="write each frame as presented, from number 1"
+    )
+    parser.add_argument(
+        "--headless", action="store_true", help="run on a virtual screen of its own (Xvfb)"
+    )
+
+
+def run_program(program: Sequence[str], asked: argparse.Namespace) -> int:
+    """Run ``python *program`` with the parsed options; the exit status."""
+    return launch.run(program, variables_of(asked), headless=asked.headless)
+
+
+def variables_of(asked: argparse.Namespace) -> dict[str, str]:
+    """The options as the variables that the program's start reads, checked here and now."""
+    texts.parse_style(asked.style)
+    variables = {texts.STYLE: texts.anchored(asked.style, os.getcwd())}
+    if asked.keys is not None:
+        keys.parse_keys(asked.keys)
+        variables[keys.KEYS] = asked.keys
+    if asked.frames is not None:
+        variables[texts.FRAMES] = str(texts.parse_frames(asked.frames))
+    if asked.capture is not None:
+        variables[texts.CAPTURE] = texts.parse_capture(asked.capture)
+    return variables

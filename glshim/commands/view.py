@@ -1,0 +1,32 @@
+"""``glshim view``: a model in the bundled viewer, restyled."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from typing import ClassVar
+
+from glshim.commands.command import Command
+from glshim.commands.run import add_options, run_program
+from glshim.control import keys
+from glshim.running.subjects import VIEWER
+
+
+class View(Command):
+    """The exit status is the viewer's own."""
+
+    name: ClassVar[str] = "view"
+    help: ClassVar[str] = "look at a model, restyled"
+
+    def add_arguments(self, parser: argparse.ArgumentParser) -> None:
+        add_options(parser)
+        parser.add_argument(
+            "model", nargs="?", help="OBJ, PLY, STL, glTF file or a built-in shape"
+        )
+
+    def run(self, asked: argparse.Namespace) -> int:
+        if asked.keys is None and keys.KEYS not in os.environ:
+            asked.keys = "on"
+        # Frames that are counted or written are to show the model, not that it is on its way.
+        wait = ["--wait"] if asked.frames is not None or asked.capture is not None else []
+        return run_program(["-m", VIEWER, *wait, *([asked.model] if asked.model else [])], asked)

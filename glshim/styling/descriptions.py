@@ -1,0 +1,64 @@
+"""Styles and looks for people: what they are, and their options."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from glshim.errors import StyleError
+from glshim.styling import registry
+from glshim.styling.protocol import Styler, options_of
+from glshim.styling.registry import FILE
+from glshim.styling.texts import load_style, parse_style
+
+
+def of_styler(styler: type[Styler]) -> str:
+    """A style: its first line of documentation and a line for each option."""
+    summary = (styler.__doc__ or "").strip().splitlines()
+    lines = [f"{styler.name}: {summary[0]}" if summary else styler.name]
+    options = options_of(styler)
+    widths = [
+        max((len(text) for text in column), default=0)
+        for column in zip(*((o.name, o.show(o.default), o.allowed) for o in options), strict=True)
+    ]
+    for option in options:
+        cells = (option.name, option.show(option.default), option.allowed)
+        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
+        lines.append(f"  {'  '.join(padded)}  {option.help}")
+    return "\n".join(lines)
+
+
+def of_look(name: str) -> str:
+    """A look: the first line of its file, and the text that says the same."""
+    path = registry.looks()[name]
+    styler = load_style(path)
+    summary = path.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ")
+    return f"{name}: {summary}\n  {styler.name}:{','.join(changed_options(styler))}"
+
+
+def of_name(name: str) -> str:
+    """What is installed under a name. Raises `StyleError`."""
+    return of_look(name) if name in registry.looks() else of_styler(registry.load(name))
+
+
+def of_text(text: str) -> tuple[str, str]:
+    """A style text: one line that says what it is, and several about its options, or its file.
+    Raises `StyleError`."""
+    name = text.partition(":")[0].strip()
+    if text.endswith(FILE):
+        try:
+            return load_style(Path(text)).name, Path(text).read_text(encoding="utf-8")
+        except OSError as error:
+            raise StyleError(f"cannot read style file {text!r}: {error}") from error
+    known = name in registry.names() or name in registry.looks()
+    told = of_name(name) if known else of_styler(type(parse_style(text)))
+    first, _, details = told.partition("\n")
+    return first.partition(": ")[2], details
+
+
+def changed_options(styler: Styler) -> list[str]:
+    """``ink=#ff0000``: the options that are not their defaults."""
+    return [
+        f"{each.name}={each.show(getattr(styler, each.name))}"
+        for each in options_of(type(styler))
+        if getattr(styler, each.name) != each.default
+    ]
