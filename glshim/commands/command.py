@@ -6,7 +6,7 @@ import argparse
 from abc import ABC, abstractmethod
 from typing import Any, ClassVar
 
-STYLE = "raskar"
+DEFAULT_STYLE = "raskar"
 """The style that is drawn in unless another is asked for."""
 
 

@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import ClassVar
 
 from glshim.commands.command import Command
-from glshim.control import keys
 from glshim.errors import EnvironmentFault, StyleError
-from glshim.running import launch, probe, startup_cost
+from glshim.running import environment, launch, probe, startup_cost
 from glshim.running.headless import virtual_screen
 from glshim.spec.context import UNAVAILABLE
 from glshim.styling import registry, texts
 
-_VARIABLES = (texts.STYLE, texts.FRAMES, texts.CAPTURE, keys.KEYS)
+_SCREENS = ("DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM")
+"""Variables of others that say where a window opens."""
 
 _PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pillow", "trimesh")
 _LIBRARIES = {
@@ -102,16 +102,19 @@ def _library(name: str) -> str | None:
 
 
 def _environment(troubles: list[str]) -> None:
-    settings, complaints = texts.read_environment(os.environ)
-    for name in (*_VARIABLES, "DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM"):
+    _heading("variables")
+    for variable in environment.VARIABLES:
+        _row(variable.name, os.environ.get(variable.name) or f"not set; {variable.help}")
+    for name in _SCREENS:
         if name in os.environ:
             _row(name, os.environ[name])
-    troubles.extend((*complaints, *keys.read_environment(os.environ)[1]))
+    settings, complaints = environment.read(os.environ)
+    troubles.extend(complaints)
     if settings.style is not None:
         try:
             texts.parse_style(settings.style)
         except StyleError as error:
-            troubles.append(f"{texts.STYLE}: {error}")
+            troubles.append(f"{environment.STYLE}: {error}")
 
 
 def _context(headless: bool, troubles: list[str]) -> None:
@@ -169,13 +172,13 @@ def print_startup_cost() -> int:
     path = launch.startup_file()
     if path is None:
         raise EnvironmentFault(f"{launch.STARTUP_FILE} is not installed into this Python")
-    for name in _VARIABLES:
-        os.environ.pop(name, None)
+    for variable in environment.VARIABLES:
+        os.environ.pop(variable.name, None)
     file, times, starts = startup_cost.of_file(path), startup_cost.TIMES, startup_cost.STARTS
     print(f"start-up file                       {path}")
     print(f"no GLSHIM_* variable set            {file * 1e6:8.1f} us (median of {times})")
     print(f"  of glshim imported                {startup_cost.imported() or 'nothing'}")
-    plain, armed = startup_cost.of_python({}), startup_cost.of_python({texts.STYLE: "raskar"})
+    plain, armed = startup_cost.of_python({}), startup_cost.of_python({environment.STYLE: "raskar"})
     print(f"a whole start of Python, not set    {plain * 1e3:8.2f} ms (median of {starts})")
     print(f"a whole start of Python, set        {armed * 1e3:8.2f} ms, no PyOpenGL imported")
     return 0

@@ -7,9 +7,9 @@ import os
 from collections.abc import Sequence
 from typing import ClassVar
 
-from glshim.commands.command import STYLE, Command
+from glshim.commands.command import DEFAULT_STYLE, Command
 from glshim.control import keys
-from glshim.running import launch
+from glshim.running import environment, launch
 from glshim.styling import texts
 
 
@@ -36,7 +36,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of a program that runs restyled."""
     parser.add_argument(
         "--style",
-        default=STYLE,
+        default=DEFAULT_STYLE,
         help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
     )
     parser.add_argument(
@@ -59,12 +59,12 @@ def run_program(program: Sequence[str], asked: argparse.Namespace) -> int:
 def variables_of(asked: argparse.Namespace) -> dict[str, str]:
     """The options as the variables that the program's start reads, checked here and now."""
     texts.parse_style(asked.style)
-    variables = {texts.STYLE: texts.anchored(asked.style, os.getcwd())}
+    variables = {environment.STYLE: texts.anchored(asked.style, os.getcwd())}
     if asked.keys is not None:
         keys.parse_keys(asked.keys)
         variables[keys.KEYS] = asked.keys
     if asked.frames is not None:
-        variables[texts.FRAMES] = str(texts.parse_frames(asked.frames))
+        variables[environment.FRAMES] = str(environment.parse_frames(asked.frames))
     if asked.capture is not None:
-        variables[texts.CAPTURE] = texts.parse_capture(asked.capture)
+        variables[environment.CAPTURE] = environment.parse_capture(asked.capture)
     return variables

@@ -7,13 +7,13 @@ from dataclasses import replace
 from pathlib import Path
 from typing import ClassVar
 
-from glshim.commands.command import STYLE, Command
+from glshim.commands.command import DEFAULT_STYLE, Command
 from glshim.errors import EnvironmentFault
 from glshim.notices import say
 from glshim.running import subjects
+from glshim.running.environment import STYLE
 from glshim.running.gallery.runs import Run, run_all
 from glshim.running.shots.plan import MOST_SIDE, VARIABLE, Plan, parse_scale, parse_size
-from glshim.styling import texts
 
 _SECONDS = 600.0
 _LEAST_TILE = 64
@@ -35,7 +35,7 @@ class Shot(Command):
             "-o", "--output", default="shot.png", metavar="OUT.png", help="(default: %(default)s)"
         )
         parser.add_argument(
-            "--style", default=STYLE, help="as for glshim run (default: %(default)s)"
+            "--style", default=DEFAULT_STYLE, help="as for glshim run (default: %(default)s)"
         )
         size = parser.add_mutually_exclusive_group()
         size.add_argument("--size", metavar="WxH", help="pixels of the picture, e.g. 6000x4500")
@@ -63,7 +63,7 @@ class Shot(Command):
             plan = replace(plan, size=parse_size(asked.size))
         else:
             plan = replace(plan, scale=parse_scale(asked.scale or "4"))
-        variables = {texts.STYLE: subjects.style_variable(asked.style), VARIABLE: plan.as_text()}
+        variables = {STYLE: subjects.style_variable(asked.style), VARIABLE: plan.as_text()}
         try:
             picture.parent.mkdir(parents=True, exist_ok=True)
             shot = Run(asked.style, variables, picture)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from glshim.errors import StyleError, nearest, unknown
 from glshim.styling import texts
 from glshim.toolkits.keyboard import MODIFIERS, NAMES, SPECIAL, chord
 
-KEYS, STYLES, SAVE = "GLSHIM_KEYS", "GLSHIM_STYLES", "GLSHIM_SAVE"
+KEYS = "GLSHIM_KEYS"
+"""The variable that they are named in."""
 DEFAULTS = {"cycle": "F9", "back": "shift+F9", "toggle": "F10", "save": "F11", "overlay": "F12"}
 """The keys of ``GLSHIM_KEYS=on`` by what they do."""
 NO_KEYS = ("off", "no", "false", "0")
@@ -34,7 +33,7 @@ class Keys:
 
 @dataclass(frozen=True, slots=True)
 class LiveSettings:
-    """What the environment asks for while the program runs."""
+    """What the keys do it with."""
 
     keys: Keys
     styles: tuple[str, ...] = ()
@@ -63,7 +62,7 @@ def parse_chord(text: str) -> str:
     return chord(key, held)
 
 
-def parse_keys(text: str) -> Keys | None:
+def parse_keys(text: str, folder: str = "") -> Keys | None:
     """``on``, ``off`` (None) or ``action=key,action=off``; actions that are not named keep their
     keys of `DEFAULTS`. Raises `StyleError`."""
     if text.strip().lower() in NO_KEYS:
@@ -100,26 +99,3 @@ def parse_styles(text: str, folder: str = "") -> tuple[str, ...]:
     """A list of style texts, see `glshim.styling.texts.split_styles`; files are taken from the
     folder. Raises `StyleError`."""
     return tuple(texts.anchored(each, folder) for each in texts.split_styles(text))
-
-
-def read_environment(
-    environ: Mapping[str, str], folder: str = ""
-) -> tuple[LiveSettings | None, tuple[str, ...]]:
-    """What GLSHIM_KEYS asks for, None when it is unset, off or of no use; and a line for each
-    variable that cannot be used. Relative paths are taken from the folder."""
-    complaints: list[str] = []
-
-    def read(variable: str, parse: Callable[[str], Any], consequence: str) -> Any:
-        text = environ.get(variable, "")
-        try:
-            return parse(text) if text.strip() else None
-        except StyleError as error:
-            complaints.append(f"{variable}: {error}; {consequence}")
-            return None
-
-    keys = read(KEYS, parse_keys, "no keys are watched")
-    if keys is None:
-        return None, tuple(complaints)
-    styles = read(STYLES, lambda text: parse_styles(text, folder), "all styles are gone through")
-    save = os.path.abspath(os.path.join(folder, os.path.expanduser(environ.get(SAVE, ""))))
-    return LiveSettings(keys, styles or (), save), tuple(complaints)

@@ -10,7 +10,8 @@ from functools import cache
 from pathlib import Path
 from types import CodeType, ModuleType
 
-VARIABLE = "GLSHIM_KEYS"
+from glshim.control.keys import KEYS
+
 _INSTALLED = ("site-packages", "dist-packages")
 _OURS = ("glshim", "stylers")
 
@@ -25,7 +26,7 @@ def user_of(key: str) -> str | None:
         code = _code(module)
         words = set() if code is None else set(_words(code))
         # Who reads the variable speaks of our keys.
-        if any(map(word.search, words)) and VARIABLE not in words:
+        if any(map(word.search, words)) and KEYS not in words:
             return str(module.__file__)
     return None
 

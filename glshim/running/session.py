@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from glshim.control import keys
+from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
 from glshim.errors import GlshimError
 from glshim.notices import say, say_fault
-from glshim.running import stillness
+from glshim.running import environment, stillness
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
 from glshim.toolkits import frames
@@ -29,10 +29,7 @@ _controls: Controls | None = None
 def begin(folder: str) -> None:
     """Read the environment and install what it asks for; its paths are relative to the folder.
     What it asks for wrongly is said in one line each, and the program runs on without it."""
-    settings, complaints = texts.read_environment(os.environ, folder)
-    for complaint in complaints:
-        say(complaint)
-    wishes, complaints = keys.read_environment(os.environ, folder)
+    settings, complaints = environment.read(os.environ, folder)
     for complaint in complaints:
         say(complaint)
     shot = None
@@ -42,8 +39,8 @@ def begin(folder: str) -> None:
 
         shot = Shot(Plan.of_text(os.environ[SHOT]))
         shot.prepare()
-    if settings.style is not None or wishes is not None:
-        _install(settings.style or NO_STYLE, folder, live=wishes is not None)
+    if settings.style is not None or settings.live is not None:
+        _install(settings.style or NO_STYLE, folder, live=settings.live is not None)
     if shot is not None:
         shot.begin()
     if settings.capture is not None:
@@ -51,8 +48,8 @@ def begin(folder: str) -> None:
 
         writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
-    if wishes is not None:
-        _watch_keys(wishes, settings.style, folder)
+    if settings.live is not None:
+        _watch_keys(settings.live, settings.style, folder)
     if stillness.VARIABLE in os.environ:
         stillness.count_frames()
     if settings.frames is not None:
@@ -66,7 +63,7 @@ def _install(style: str, folder: str, *, live: bool) -> None:
     try:
         styler = reloader.begin()
     except GlshimError as error:
-        say(f"GLSHIM_STYLE: {error}; the program runs unstyled")
+        say(f"{environment.STYLE}: {error}; the program runs unstyled")
         if not live:
             return
         styler = texts.parse_style(NO_STYLE)
@@ -90,13 +87,13 @@ def _switch(styler: Styler) -> None:
     pipeline.switch(styler)
 
 
-def _watch_keys(wishes: keys.LiveSettings, style: str | None, folder: str) -> None:
+def _watch_keys(settings: LiveSettings, style: str | None, folder: str) -> None:
     global _controls
     try:
         from glshim.control.live import Controls
         from glshim.toolkits import keyboard, keyboards
 
-        _controls = Controls(wishes, style, folder)
+        _controls = Controls(settings, style, folder)
         keyboards.watch()
         keyboard.listen(_controls)
         frames.install(_controls.frame_ends, rank=DRAWS_OVER_IT)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import stillness
+from glshim.running.environment import parse_frames
 from glshim.styling import texts
 
 VIEWER = "demo_apps.viewer"
@@ -65,7 +66,7 @@ def subject_of(asked: argparse.Namespace) -> Subject:
 
 def frame_of(asked: argparse.Namespace) -> int:
     """The number of the frame asked for, from 1. Raises `StyleError`."""
-    return texts.parse_frames(asked.frame)
+    return parse_frames(asked.frame)
 
 
 def style_variable(text: str) -> str:

@@ -1,11 +1,11 @@
-"""Style texts, style files and the GLSHIM_* environment, each to one checked value."""
+"""Style texts and style files, each to one checked styler."""
 
 from __future__ import annotations
 
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,6 @@ from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE, looks
 from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file
 
-STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
 _ASSIGNMENT = re.compile(r"\w+\s*=")
 
 
@@ -168,61 +167,3 @@ def _parsed(styler: type[Styler], piece: str, folder: str) -> tuple[str, Any]:
     if not equals:
         raise StyleError(f"{key} has no value: write {key}={option.show(option.default)}")
     return key, option.parse(value, folder)
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the environment asks for; None where it asks for nothing."""
-
-    style: str | None = None
-    frames: int | None = None
-    """End the program after so many presented frames."""
-    capture: str | None = None
-    """Where to write each frame: an absolute path with one ``%d`` for its number, or none."""
-
-
-def parse_frames(text: str) -> int:
-    """A whole number of frames, at least 1. Raises `StyleError`."""
-    if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
-        raise StyleError(f"{text!r} is not a number of frames: give a whole number from 1")
-    return int(text)
-
-
-def parse_capture(text: str, folder: str = "") -> str:
-    """A file name, made absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
-    rest = re.sub("%0?[0-9]*d", "", text, count=1)
-    if "%" in rest or not text.lower().endswith(".png"):
-        raise StyleError(
-            f"{text!r} is not a file name for frames: it ends in .png "
-            "and holds one %d or %03d, or none, for the frame's number"
-        )
-    return os.path.abspath(os.path.join(folder, text))
-
-
-def read_environment(
-    environ: Mapping[str, str], folder: str = ""
-) -> tuple[Settings, tuple[str, ...]]:
-    """The settings, and a line for each variable that cannot be used (and then counts as unset).
-    Relative paths are taken from the folder.
-
-    The style's text is not parsed here: that loads stylers.
-    """
-    complaints: list[str] = []
-
-    def read(variable: str, parse: Any, consequence: str) -> Any:
-        text = environ.get(variable, "")
-        if not text.strip():
-            return None
-        try:
-            return parse(text)
-        except StyleError as error:
-            complaints.append(f"{variable}: {error}; {consequence}")
-            return None
-
-    style = environ.get(STYLE, "").strip()
-    settings = Settings(
-        style=anchored(style, folder) or None,
-        frames=read(FRAMES, parse_frames, "the program runs on without an end"),
-        capture=read(CAPTURE, lambda text: parse_capture(text, folder), "no frames are written"),
-    )
-    return settings, tuple(complaints)

@@ -16,7 +16,6 @@ from glshim.control.keys import (
     LiveSettings,
     parse_keys,
     parse_styles,
-    read_environment,
 )
 from glshim.errors import StyleError
 from glshim.styling.protocol import Styler
@@ -78,33 +77,6 @@ def test_a_bad_text_says_what_is_wrong(text: str, says: str) -> None:
         parse_keys(text)
     assert str(caught.value).startswith(says)
     assert "\n" not in str(caught.value)
-    settings, complaints = read_environment({"GLSHIM_KEYS": text})
-    assert settings is None
-    assert complaints == (f"GLSHIM_KEYS: {caught.value}; no keys are watched",)
-
-
-def test_unset_is_off() -> None:
-    assert read_environment({}) == (None, ())
-    assert read_environment({"GLSHIM_KEYS": " ", "GLSHIM_STYLES": "raskar"}) == (None, ())
-
-
-def test_paths_are_taken_from_where_the_program_was_started(tmp_path: Path) -> None:
-    environ = {"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "raskar, a.toml,", "GLSHIM_SAVE": "shots"}
-    settings, _ = read_environment(environ, str(tmp_path))
-    assert settings is not None
-    assert settings.styles == ("raskar", str(tmp_path / "a.toml"))
-    assert settings.folder == str(tmp_path / "shots")
-    settings, _ = read_environment({"GLSHIM_KEYS": "on"}, str(tmp_path))
-    assert settings == LiveSettings(Keys(DEFAULTS), (), str(tmp_path))
-
-
-def test_a_list_that_makes_no_sense_is_said_and_all_styles_are_gone_through() -> None:
-    settings, complaints = read_environment({"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "fins,fill=cel"})
-    assert settings is not None
-    assert settings.styles == ()
-    assert complaints == (
-        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; all styles are gone through",
-    )
 
 
 @pytest.mark.parametrize(

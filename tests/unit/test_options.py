@@ -15,10 +15,7 @@ from glshim.styling import descriptions, registry
 from glshim.styling.protocol import Option, Styler, options_of
 from glshim.styling.registry import looks
 from glshim.styling.texts import (
-    parse_capture,
-    parse_frames,
     parse_style,
-    read_environment,
     split_styles,
 )
 from stylers.raskar import Raskar
@@ -191,49 +188,11 @@ def test_a_file_that_is_not_there_is_named() -> None:
         parse_style("nowhere.toml")
 
 
-def test_the_environment_is_read_whole(tmp_path: Path) -> None:
-    variables = {"GLSHIM_STYLE": " raskar ", "GLSHIM_FRAMES": "12", "GLSHIM_CAPTURE": "f%03d.png"}
-    settings, complaints = read_environment(variables, str(tmp_path))
-    assert complaints == ()
-    assert settings.style == "raskar"
-    assert settings.frames == 12
-    assert settings.capture == str(tmp_path / "f%03d.png")
-
-
-def test_a_style_file_is_found_from_where_the_program_was_started() -> None:
-    settings, _ = read_environment({"GLSHIM_STYLE": "mine.toml"}, "/started/here")
-    assert settings.style == "/started/here/mine.toml"
-    settings, _ = read_environment({"GLSHIM_STYLE": "/there/mine.toml"}, "/started/here")
-    assert settings.style == "/there/mine.toml"
-
-
 def test_a_file_takes_no_options_after_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.toml").write_text('style = "raskar"')
     with pytest.raises(StyleError, match="given alone"):
         parse_style("mine.toml:ridges=off")
-
-
-def test_a_wrong_variable_counts_as_unset_and_is_said() -> None:
-    settings, complaints = read_environment(
-        {"GLSHIM_STYLE": "", "GLSHIM_FRAMES": "many", "GLSHIM_CAPTURE": "a.gif"}
-    )
-    assert (settings.style, settings.frames, settings.capture) == (None, None, None)
-    assert [line.partition(":")[0] for line in complaints] == ["GLSHIM_FRAMES", "GLSHIM_CAPTURE"]
-
-
-@pytest.mark.parametrize("text", ["0", "-1", "1.5", "ten", "", "1e3", "٣"])
-def test_frames_are_a_whole_number_from_one(text: str) -> None:
-    with pytest.raises(StyleError):
-        parse_frames(text)
-
-
-@pytest.mark.parametrize(
-    "text", ["a%s.png", "a%d%d.png", "a%.png", "a.jpg", "a%d", "%", "a%(n)d.png"]
-)
-def test_a_capture_pattern_holds_one_number_at_most(text: str) -> None:
-    with pytest.raises(StyleError):
-        parse_capture(text)
 
 
 @pytest.mark.parametrize(

@@ -15,10 +15,9 @@ from pathlib import Path
 from types import FrameType
 from typing import IO
 
-from glshim.running import launch
+from glshim.running import environment, launch
 from glshim.running.headless import virtual_screen
 from glshim.running.subjects import surroundings
-from glshim.styling import texts
 
 AT_ONCE = 2
 _FAILURES = ("is switched off", "runs unstyled")
@@ -159,8 +158,8 @@ def _terminations() -> Iterator[None]:
 def styled(name: str, style: str, frame: int, picture: Path) -> Run:
     """A run that writes its frame of that number in a style."""
     variables = {
-        texts.STYLE: style,
-        texts.FRAMES: str(frame),
-        texts.CAPTURE: str(picture.absolute()),
+        environment.STYLE: style,
+        environment.FRAMES: str(frame),
+        environment.CAPTURE: str(picture.absolute()),
     }
     return Run(name, variables, picture)

@@ -1,0 +1,111 @@
+"""The GLSHIM_* variables that people set: what each does, and how they are read."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from glshim.control.keys import KEYS, LiveSettings, parse_keys, parse_styles
+from glshim.errors import StyleError
+from glshim.styling.texts import anchored
+
+STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
+STYLES, SAVE = "GLSHIM_STYLES", "GLSHIM_SAVE"
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the environment asks for; None where it asks for nothing."""
+
+    style: str | None = None
+    """A style's text."""
+    frames: int | None = None
+    """End the program after so many presented frames."""
+    capture: str | None = None
+    """Where to write each frame: an absolute path with one ``%d`` for its number, or none."""
+    live: LiveSettings | None = None
+    """What keys do while the program runs."""
+
+
+def read(environ: Mapping[str, str], folder: str = "") -> tuple[Settings, tuple[str, ...]]:
+    """The settings, and a line for each variable that cannot be used (and then counts as unset).
+    Relative paths are taken from the folder."""
+    values: dict[str, Any] = {}
+    complaints: list[str] = []
+    for variable in VARIABLES:
+        text = environ.get(variable.name, "")
+        if not text.strip() or (variable.needs and values.get(variable.needs) is None):
+            continue
+        try:
+            values[variable.name] = variable.parse(text, folder)
+        except StyleError as error:
+            complaints.append(f"{variable.name}: {error}; {variable.otherwise}")
+    keys, live = values.get(KEYS), None
+    if keys is not None:
+        save = values.get(SAVE) or os.path.abspath(folder)
+        live = LiveSettings(keys, values.get(STYLES, ()), save)
+    settings = Settings(values.get(STYLE), values.get(FRAMES), values.get(CAPTURE), live)
+    return settings, tuple(complaints)
+
+
+def parse_frames(text: str, folder: str = "") -> int:
+    """A whole number of frames, at least 1. Raises `StyleError`."""
+    if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
+        raise StyleError(f"{text!r} is not a number of frames: give a whole number from 1")
+    return int(text)
+
+
+def parse_capture(text: str, folder: str = "") -> str:
+    """A file name, made absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
+    rest = re.sub("%0?[0-9]*d", "", text, count=1)
+    if "%" in rest or not text.lower().endswith(".png"):
+        raise StyleError(
+            f"{text!r} is not a file name for frames: it ends in .png "
+            "and holds one %d or %03d, or none, for the frame's number"
+        )
+    return os.path.abspath(os.path.join(folder, text))
+
+
+def _style(text: str, folder: str) -> str:
+    """Not parsed yet: that loads stylers."""
+    return anchored(text.strip(), folder)
+
+
+def _folder(text: str, folder: str) -> str:
+    return os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
+
+
+@dataclass(frozen=True, slots=True)
+class Variable:
+    """One variable."""
+
+    name: str
+    example: str
+    """A value, for people."""
+    help: str
+    """What it does."""
+    parse: Callable[[str, str], Any]
+    """Its value, of a text that is not blank and the folder that paths are taken from. Raises
+    `StyleError`."""
+    otherwise: str = ""
+    """What happens where it raises."""
+    needs: str = ""
+    """The variable that it goes with; empty: it starts glshim by itself."""
+
+
+VARIABLES = (
+    Variable(STYLE, "STYLE", "restyles the program", _style),
+    Variable(FRAMES, "N", "ends it with status 0 after N presented frames", parse_frames,
+             "the program runs on without an end"),
+    Variable(CAPTURE, "out%03d.png", "writes each frame as presented, from number 1",
+             parse_capture, "no frames are written"),
+    Variable(KEYS, "on", "live control by keys", parse_keys, "no keys are watched"),
+    Variable(STYLES, "A,B", "the row of styles that keys go through", parse_styles,
+             "all styles are gone through", needs=KEYS),
+    Variable(SAVE, "FOLDER", "where keys write PNGs", _folder, needs=KEYS),
+)  # fmt: skip
+"""All of them. Those that need no other are named in ``_glshim_start.py`` and ``glshim.pth``, too,
+which import nothing."""
