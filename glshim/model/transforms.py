@@ -1,8 +1,7 @@
-"""GL's matrix calls in numpy: what each multiplies by or loads (OpenGL 2.1, section 2.11.2)."""
+"""The matrices of GL's fixed function in numpy (OpenGL 2.1, section 2.11.2)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -62,27 +61,3 @@ def frustum(*box: float) -> Matrix:
 def column_major(values: Any) -> Matrix:
     """(4, 4) from GL's sixteen numbers in columns."""
     return np.array(values, np.float64).reshape(4, 4).T
-
-
-def _calls() -> dict[str, Callable[..., tuple[Matrix, bool]]]:
-    def multiply(make: Callable[..., Matrix]) -> Callable[..., tuple[Matrix, bool]]:
-        return lambda *args: (make(*args), False)
-
-    table: dict[str, Callable[..., tuple[Matrix, bool]]] = {
-        "glLoadIdentity": lambda: (np.eye(4), True),
-        "glOrtho": multiply(orthographic),
-        "glFrustum": multiply(frustum),
-    }
-    for letter in "df":
-        table[f"glTranslate{letter}"] = multiply(translation)
-        table[f"glScale{letter}"] = multiply(scaling)
-        table[f"glRotate{letter}"] = multiply(rotation)
-        table[f"glMultMatrix{letter}"] = lambda v: (column_major(v), False)
-        table[f"glLoadMatrix{letter}"] = lambda v: (column_major(v), True)
-        table[f"glMultTransposeMatrix{letter}"] = lambda v: (column_major(v).T, False)
-        table[f"glLoadTransposeMatrix{letter}"] = lambda v: (column_major(v).T, True)
-    return table
-
-
-MATRIX_CALLS = _calls()
-"""By entry point: from its arguments (matrices as sequences) to (matrix, whether it is loaded)."""

@@ -21,11 +21,19 @@ from glshim.sources.fixed.lists import Bare, Call, Change, Closing, Opening, Pri
 from glshim.sources.fixed.rectangles import rectangle
 from glshim.sources.fixed.state import DrawState, colour
 from glshim.sources.scene import Scene, Scenes, normal_of
+from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
 from glshim.spec.driver import gl
-from glshim.spec.roles import Role
+from glshim.spec.roles import (
+    BUFFER_WRITES,
+    IN_LISTS,
+    LIST_CALLS,
+    OTHER_DRAWS,
+    POLYGON_DRAWS,
+    Role,
+)
 from glshim.spec.shapes import Shape
 
-_COLOR_AND_DEPTH, _DEPTH_BIT = 0x4100, 0x100
+_COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 _PICK_AREA = 64
 """A readback of at most so many pixels is an app looking for what lies under the pointer: it gets
 the app's own colours. A larger one is a picture and shows the lines."""
@@ -190,21 +198,24 @@ class Follower:
             scene.compile(Opening(mode, self._with_elements(scene, stream)))
 
     @contained
-    def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
+    def inside(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[[], Any]
+    ) -> None:
         """Something that is legal inside glBegin/glEnd was called there, or in an open list."""
         scene = self._scenes.current()
         if scene is None or scene.refused:
             return
         if not RECORDER.inside():  # in a list, between its primitives
             RECORDER.extend(normals.said(name, args))
-        elif name.startswith("glArrayElement"):
+        elif role is Role.ARRAY_ELEMENT:
             self._elements.append((RECORDER.position(), _number(args, 0)))
-        elif name.startswith("glEval"):
+        elif role is Role.EVALUATION or role is Role.EVALUATOR_MESH:
             self._reruns.append((RECORDER.position(), call))
-        elif "Normal" in name and self._recorded(scene).normals:
-            RECORDER.extend(normals.said(name, args))
-        elif name.startswith("glCallList"):
-            finished = scene.list_called_inside(scene.names(name, args, inside=True))
+        elif role is Role.NORMAL:
+            if self._recorded(scene).normals:
+                RECORDER.extend(normals.said(name, args))
+        elif role in LIST_CALLS:
+            finished = scene.list_called_inside(scene.names(role, args, inside=True))
             if finished is not None:
                 self.end(*finished)
 
@@ -218,21 +229,22 @@ class Follower:
         scene = self._scenes.current()
         if scene is None:
             return
-        if role in _DRAWS:
+        if role in POLYGON_DRAWS:
             self._open(True, scene)
-        elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
+        elif role in OTHER_DRAWS:
             self._open(False, scene)
         elif role is Role.CLEAR:
-            self._clear(scene, name, args)
-        elif role is Role.READBACK:
-            area = _number(args, 2) * _number(args, 3)
-            if area > _PICK_AREA or not name.startswith("glRead"):
+            self._clear(scene, _number(args, 0))
+        elif role is Role.CLEAR_BUFFER:
+            self._clear(scene, _COLOR_AND_DEPTH)
+        elif role is Role.READ_PIXELS:
+            if _number(args, 2) * _number(args, 3) > _PICK_AREA:
                 self.finish_layer()
-        elif role is Role.TARGET:
+        elif role is Role.READBACK or role is Role.TARGET:
             self.finish_layer()
-        elif role is Role.BUFFER_WRITE:
+        elif role in BUFFER_WRITES:
             if not scene.refused:
-                scene.fetch.buffer_written(name, args)
+                scene.fetch.buffer_written(role, args)
         elif role is Role.LIST_CLOSE:
             self._scenes.close_list(scene)
         elif role is Role.LIST_FORGET:
@@ -240,11 +252,10 @@ class Follower:
         elif role is Role.CLIP_PLANE:
             scene.reader.forget()
 
-    def _clear(self, scene: Scene, name: str, args: tuple[Any, ...]) -> None:
-        mask = _number(args, 0) if name == "glClear" else _COLOR_AND_DEPTH
+    def _clear(self, scene: Scene, mask: int) -> None:
         if mask & _COLOR_AND_DEPTH:
             self.finish_layer()
-        if mask & _DEPTH_BIT:
+        if mask & GL_DEPTH_BUFFER_BIT:
             scene.layer.forget_depth()
 
     @contained
@@ -255,15 +266,15 @@ class Follower:
             return
         if role is Role.LIST_OPEN:
             scene.open_list(int(args[0]), int(args[1]))
-        elif role in (Role.MATRIX, Role.SWITCH):
+        elif role in IN_LISTS:
             scene.compile(Change.of(name, args))
-        elif role is Role.LIST_CALL:
-            self._lists_called(scene, scene.names(name, args))
-        elif role in _DRAWS:
+        elif role in LIST_CALLS:
+            self._lists_called(scene, scene.names(role, args))
+        elif role in POLYGON_DRAWS:
             state = self._close(scene)
             if state is not None or scene.lists.open is not None:
-                self._drawn(scene, state, name, args)
-        elif role in (Role.PIXELS, Role.OPAQUE_DRAW):
+                self._drawn(scene, state, role, name, args)
+        elif role in OTHER_DRAWS:
             self._close(scene)
 
     @contained
@@ -284,14 +295,14 @@ class Follower:
             self._colour = self._normal = b""
 
     def _drawn(
-        self, scene: Scene, state: DrawState | None, name: str, args: tuple[Any, ...]
+        self, scene: Scene, state: DrawState | None, role: Role, name: str, args: tuple[Any, ...]
     ) -> None:
         """An array draw, a rectangle or an evaluated grid."""
-        if name.startswith("glEvalMesh"):
+        if role is Role.EVALUATOR_MESH:
             call = RAW.original(name)
             if call is not None:
                 self._shape(scene, state, name, args, functools.partial(call, *args))
-        elif name.startswith("glRect"):
+        elif role is Role.RECT:
             stream = rectangle(name, args)
             scene.compile(Primitive(QUADS, stream))
             if state is not None:
@@ -414,7 +425,5 @@ def _number(args: tuple[Any, ...], position: int) -> int:
         return 0
 
 
-_RENEWALS = frozenset((Role.CLEAR, Role.TARGET, Role.LIST_OPEN))
+_RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
 """When a new context at an old one's address is looked out for: a program that draws comes by."""
-_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.LIST_CALL))
-"""Roles that draw polygons we can know."""

@@ -19,13 +19,23 @@ from glshim.sources.fixed.state import DrawState, StateReader, normal, unsupport
 from glshim.sources.layers import LayerCollector
 from glshim.spec.ask import integer
 from glshim.spec.attributes import BY_NAME
+from glshim.spec.constants import (
+    GL_COMPILE,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_FRAMEBUFFER,
+    GL_LIST_BASE,
+    GL_MATRIX_MODE,
+    GL_READ_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_VERTEX_ARRAY_BINDING,
+)
 from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import current_context, gl
+from glshim.spec.roles import Role
 from glshim.spec.shapes import Shape
 
-COMPILE = 0x1300
 _MARKER = 997
-_MATRIX_MODE, _LIST_BASE = 0x0BA0, 0x0B32
 
 
 class Scene:
@@ -77,7 +87,7 @@ class Scene:
     @property
     def compiles_only(self) -> bool:
         """A list is open that does not draw while it is compiled."""
-        return self.lists.open is not None and self._compiling == COMPILE
+        return self.lists.open is not None and self._compiling == GL_COMPILE
 
     def open_list(self, name: int, mode: int) -> None:
         """glNewList."""
@@ -100,13 +110,13 @@ class Scene:
 
     def read_list_base(self) -> None:
         """Ask for it before a primitive: inside, nothing may be asked."""
-        self._list_base = integer(_LIST_BASE)
+        self._list_base = integer(GL_LIST_BASE)
 
-    def names(self, name: str, args: tuple[Any, ...], *, inside: bool = False) -> tuple[int, ...]:
-        """The lists that a LIST_CALL entry point calls."""
-        if name != "glCallLists":
-            return list_names(name, args, 0)
-        return list_names(name, args, self._list_base if inside else integer(_LIST_BASE))
+    def names(self, role: Role, args: tuple[Any, ...], *, inside: bool = False) -> tuple[int, ...]:
+        """The lists that a call of LIST_CALLS runs."""
+        if role is Role.LIST_CALL:
+            return list_names(role, args, 0)
+        return list_names(role, args, self._list_base if inside else integer(GL_LIST_BASE))
 
     def left_open(self, names: tuple[int, ...]) -> int | None:
         """The first list that, called, ends inside a primitive that it began."""
@@ -120,7 +130,7 @@ class Scene:
                 self._resume(name)
                 return
             found = self.lists.polygons(
-                name, integer(_MATRIX_MODE), self.polygons, current_context()
+                name, integer(GL_MATRIX_MODE), self.polygons, current_context()
             )
             if found.relative is not None:
                 self.layer.add_batch(state, found.relative)
@@ -245,16 +255,19 @@ def _mark() -> int:
     arrays = has_vertex_arrays()
     names = (ctypes.c_uint * _MARKER)()
     if arrays:
-        bound = integer(0x85B5)
+        bound = integer(GL_VERTEX_ARRAY_BINDING)
         gl.glGenVertexArrays(_MARKER, names)
         gl.glDeleteVertexArrays(_MARKER - 1, names)
         gl.glBindVertexArray(names[_MARKER - 1])
         gl.glBindVertexArray(bound)
     else:
-        bounds = ((0x8CA9, integer(0x8CA6)), (0x8CA8, integer(0x8CAA)))
+        bounds = (
+            (GL_DRAW_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING)),
+            (GL_READ_FRAMEBUFFER, integer(GL_READ_FRAMEBUFFER_BINDING)),
+        )
         gl.glGenFramebuffers(_MARKER, names)
         gl.glDeleteFramebuffers(_MARKER - 1, names)
-        gl.glBindFramebuffer(0x8D40, names[_MARKER - 1])
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, names[_MARKER - 1])
         for target, name in bounds:
             gl.glBindFramebuffer(target, name)
     return int(names[_MARKER - 1])

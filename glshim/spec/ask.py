@@ -44,3 +44,17 @@ def text(name: int) -> str:
     """A string of the driver's, empty without a context."""
     found = gl.glGetString(name)
     return ctypes.string_at(found).decode("ascii", "replace") if found else ""
+
+
+def pointer_of(name: int) -> int:
+    """An address, or the offset in a buffer, of the client's state; 0 for none."""
+    address = ctypes.c_void_p()
+    gl.glGetPointerv(name, ctypes.byref(address))
+    return address.value or 0
+
+
+def of_buffer(target: int, name: int) -> int:
+    """One integer of the buffer object that is bound to a target."""
+    value = ctypes.c_int(0)
+    gl.glGetBufferParameteriv(target, name, ctypes.byref(value))
+    return value.value

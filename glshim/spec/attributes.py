@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from struct import Struct
+from typing import NamedTuple
 
 import numpy as np
 
@@ -63,15 +64,43 @@ KIND = np.array([row.kind for row in ATTRIBUTES], np.int8)
 """(tags,) kind of each tag."""
 SIZE = np.array([row.size for row in ATTRIBUTES], np.int8)
 """(tags,) argument count of each tag."""
-REPLAY = tuple(
-    "glEdgeFlag"
-    if row.kind == EDGE_FLAG
-    else "glColor4fv"  # Mesa's glColor3d and 3ub are its glColor4f, which its glColor3f is not
-    if row.kind == COLOR and row.type != "f"
-    else f"{row.name.rstrip('dfisub')}fv"
-    for row in ATTRIBUTES
-)
-"""For each tag the bare entry point that says the same (a ``fv`` one straight from a record)."""
+class Replay(NamedTuple):
+    """How a record is said to the bare driver."""
+
+    name: str
+    takes: str
+    """record: a ``fv`` entry point, straight from the record; opaque: the same, with an alpha of 1
+    after three values; number: the first value as an integer."""
+
+
+def _replay(row: Attribute) -> Replay:
+    if row.kind == EDGE_FLAG:
+        return Replay("glEdgeFlag", "number")
+    if row.kind == COLOR and row.type != "f":
+        # Mesa's glColor3d and 3ub are its glColor4f, which its glColor3f is not.
+        return Replay("glColor4fv", "opaque" if row.size == 3 else "record")
+    return Replay(f"{row.name.rstrip('dfisub')}fv", "record")
+
+
+REPLAY = tuple(map(_replay, ATTRIBUTES))
+"""For each tag the bare entry point that says the same."""
+
+
+class NormalCall(NamedTuple):
+    """A NORMAL entry point whose argument is a normal and nothing else."""
+
+    letters: str
+    """The type of its numbers: b, s, i, or ui for one packed number."""
+    packed: bool
+    """A type, and three numbers in one; else three numbers."""
+    vector: bool
+    """The numbers lie behind a pointer."""
+
+
+NORMALS = {
+    **{f"glNormal3{b}{v}": NormalCall(b, False, bool(v)) for b in "bsi" for v in ("", "v")},
+    **{f"glNormalP3ui{v}": NormalCall("ui", True, bool(v)) for v in ("", "v")},
+}
 
 
 def decode(stream: bytes) -> tuple[np.ndarray, np.ndarray]:

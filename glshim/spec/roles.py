@@ -20,23 +20,69 @@ class Role(Enum):
     END = "closes a primitive"
     ATTRIBUTE = "a vertex or an attribute of one, recorded (signatures: spec/attributes.py)"
     IN_PRIMITIVE = "legal inside a primitive, not recorded: what was recorded so far goes first"
+    NORMAL = "the same, and sets the normal (signatures: spec/attributes.py)"
+    ARRAY_ELEMENT = "the same, and takes one vertex from the arrays"
+    EVALUATION = "the same, and evaluates vertices"
     ARRAY_DRAW = "draws from client arrays or buffers (signatures: spec/draws.py)"
     OPAQUE_DRAW = "draws something we do not restyle"
-    RECT = "draws one axis-parallel rectangle"
-    EVALUATOR_MESH = "draws an evaluated grid"
+    RECT = "draws one axis-parallel rectangle (signatures: spec/draws.py)"
+    EVALUATOR_MESH = "draws an evaluated grid (its maps: spec/draws.py)"
     PIXELS = "writes pixels without polygons"
     LIST_OPEN = "opens a display list"
     LIST_CLOSE = "closes a display list"
-    LIST_CALL = "runs display lists"
+    LIST_CALL = "runs the display list of a name"
+    LISTS_CALL = "runs display lists, whose names are in an array"
     LIST_FORGET = "deletes display lists"
-    MATRIX = "changes a matrix; followed while a display list is open"
-    SWITCH = "switches what lines depend on; followed while a display list is open"
-    CLEAR = "clears buffers: the depth of a layer ends"
-    READBACK = "reads the picture back: the layer must be in it"
+    MATRIX = "changes the current matrix (how: spec/matrices.py)"
+    MATRIX_MODE = "chooses which matrix is current"
+    MATRIX_PUSH = "keeps the current matrix"
+    MATRIX_POP = "puts the kept matrix back"
+    ENABLE = "turns a switch on"
+    DISABLE = "turns a switch off"
+    WINDING = "says which winding is the front"
+    DEPTH_MASK = "says whether depth is written"
+    POLYGON_MODE = "says whether polygons are filled"
+    ATTRIB_PUSH = "keeps groups of state"
+    ATTRIB_POP = "puts kept groups of state back"
+    CLEAR = "clears the buffers of a mask: the depth of a layer ends"
+    CLEAR_BUFFER = "clears one buffer, taken for both colour and depth"
+    READ_PIXELS = "reads pixels back: the layer must be in them, but for a few that are for picking"
+    READBACK = "reads the picture back another way: the layer must be in it"
     TARGET = "turns drawing to another framebuffer: the layer ends"
     FLUSH = "glFlush, glFinish: the end of a frame in a single-buffered window"
-    BUFFER_WRITE = "changes what a buffer object holds"
+    BUFFER_WRITE = "changes what the buffer object bound to a target holds"
+    NAMED_BUFFER_WRITE = "changes what the buffer object of a name holds"
+    BUFFERS_WRITE = "changes what some buffer objects hold"
     CLIP_PLANE = "sets a user clip plane"
+
+    __hash__ = object.__hash__
+    """Members are one each: Enum's own is written in Python and costs each hooked call."""
+
+
+INSIDE = frozenset((Role.IN_PRIMITIVE, Role.NORMAL, Role.ARRAY_ELEMENT, Role.EVALUATION))
+"""Legal inside a primitive and not recorded."""
+LIST_CALLS = frozenset((Role.LIST_CALL, Role.LISTS_CALL))
+LIST_BRACKETS = frozenset((Role.LIST_OPEN, Role.LIST_CLOSE))
+POLYGON_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, *LIST_CALLS))
+"""Draw polygons that we can know."""
+OTHER_DRAWS = frozenset((Role.PIXELS, Role.OPAQUE_DRAW))
+BUFFER_WRITES = frozenset((Role.BUFFER_WRITE, Role.NAMED_BUFFER_WRITE, Role.BUFFERS_WRITE))
+IN_LISTS = frozenset(
+    (
+        Role.MATRIX, Role.MATRIX_MODE, Role.MATRIX_PUSH, Role.MATRIX_POP, Role.ENABLE,
+        Role.DISABLE, Role.WINDING, Role.DEPTH_MASK, Role.POLYGON_MODE, Role.ATTRIB_PUSH,
+        Role.ATTRIB_POP,
+    )
+)  # fmt: skip
+"""Followed only while a display list is open; else the driver is asked."""
+WATCHED = (
+    POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES
+    | {
+        Role.LIST_FORGET, Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READBACK,
+        Role.TARGET, Role.CLIP_PLANE,
+    }
+)  # fmt: skip
+"""Told to whoever follows the app's draws."""
 
 
 ROWS: tuple[tuple[Role, str], ...] = (
@@ -48,18 +94,20 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.ATTRIBUTE, r"glTexCoord[1234][dfis]v?"),
     (Role.ATTRIBUTE, r"glEdgeFlagv?"),
     (Role.IN_PRIMITIVE, r"glVertex[234](b|h|x)v?(OES|NV)|glVertexP[234]uiv?"),
-    (Role.IN_PRIMITIVE, r"glNormal3[bis]v?|glNormal3(h|x)v?(OES|NV)|glNormalP3uiv?"),
     (Role.IN_PRIMITIVE, r"glColor[34](b|s|i|us|ui)v?|glColor[34](h|x)v?(OES|NV)|glColorP[34]uiv?"),
     (Role.IN_PRIMITIVE, r"glTexCoord[1234](b|h|x)v?(OES|NV)|glTexCoordP[1234]uiv?"),
-    (Role.IN_PRIMITIVE, r"gl(Color|Normal|TexCoord)\w*Vertex\w*SUN"),
-    (Role.IN_PRIMITIVE, r"glReplacementCode\w+SUN|glPrimitiveRestart(NV|IndexNV)?"),
+    (Role.IN_PRIMITIVE, r"gl(Color|TexCoord)(?!\w*Normal)\w*Vertex\w*SUN"),
+    (Role.IN_PRIMITIVE, r"glReplacementCode(?!\w*Normal)\w+SUN|glPrimitiveRestart(NV|IndexNV)?"),
     (Role.IN_PRIMITIVE, r"glMultiTexCoord(\d|P\d)\w+"),
     (Role.IN_PRIMITIVE, r"glSecondaryColor(3|P3)\w+|glFogCoord[dfhx]v?(EXT|NV|OES)?"),
     (Role.IN_PRIMITIVE, r"glIndex(d|f|i|s|ub|x)v?(OES)?|glVertexAttribs?(I|L|P|)\d\w*"),
     (Role.IN_PRIMITIVE, r"glVertexStream\d\w+ATI|glVertexWeight[fh]v?(EXT|NV)|glWeight\w+ARB"),
-    (Role.IN_PRIMITIVE, r"glMaterial(f|i|x)v?(OES)?|glArrayElement(EXT)?"),
-    (Role.IN_PRIMITIVE, r"glEvalCoord\d\w+|glEvalPoint[12]"),
+    (Role.IN_PRIMITIVE, r"glMaterial(f|i|x)v?(OES)?"),
     (Role.IN_PRIMITIVE, r"glTangent3\w+EXT|glBinormal3\w+EXT"),
+    (Role.NORMAL, r"glNormal3[bis]v?|glNormal3(h|x)v?(OES|NV)|glNormalP3uiv?"),
+    (Role.NORMAL, r"gl\w*Normal3f\w*SUN"),
+    (Role.ARRAY_ELEMENT, r"glArrayElement(EXT)?"),
+    (Role.EVALUATION, r"glEvalCoord\d\w+|glEvalPoint[12]"),
     (Role.ARRAY_DRAW, r"glDrawArrays(EXT)?|glMultiDrawArrays(EXT)?"),
     (Role.ARRAY_DRAW, r"glDraw(Range)?Elements(BaseVertex|EXT)?"),
     (Role.ARRAY_DRAW, r"glMultiDrawElements(EXT|BaseVertex)?"),
@@ -67,31 +115,46 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.OPAQUE_DRAW, r"glMulti(Mode)?Draw\w+(Indirect|IBM|APPLE)\w*"),
     (Role.OPAQUE_DRAW, r"glDrawTransformFeedback\w*|glDraw(Range)?ElementArray\w+"),
     (Role.OPAQUE_DRAW, r"glDrawMesh\w+|glDrawTextureNV|glDrawCommands\w+|glDrawVkImageNV"),
-    (Role.OPAQUE_DRAW, r"gl(Stencil|Cover|StencilThenCover)\w+Path\w*NV"),
-    (Role.RECT, r"glRect[dfis]v?|glRectxv?OES"),
+    (Role.OPAQUE_DRAW, r"gl(Stencil|Cover|StencilThenCover)\w+Path\w*NV|glRectxv?OES"),
+    (Role.RECT, r"glRect[dfis]v?"),
     (Role.EVALUATOR_MESH, r"glEvalMesh[12]"),
     (Role.PIXELS, r"glBitmap(xOES)?|glDrawPixels|glCopyPixels"),
     (Role.LIST_OPEN, r"glNewList"),
     (Role.LIST_CLOSE, r"glEndList"),
-    (Role.LIST_CALL, r"glCallLists?"),
+    (Role.LIST_CALL, r"glCallList"),
+    (Role.LISTS_CALL, r"glCallLists"),
     (Role.LIST_FORGET, r"glDeleteLists"),
-    (Role.MATRIX, r"gl(Load|Mult)(Transpose)?Matrix[dfx](ARB|OES)?|glLoadIdentity|glMatrixMode"),
-    (Role.MATRIX, r"glPushMatrix|glPopMatrix|gl(Rotate|Scale|Translate)[dfx](OES)?"),
-    (Role.MATRIX, r"gl(Ortho|Frustum)[fx]?(OES)?"),
-    (Role.SWITCH, r"gl(En|Dis)able|glFrontFace|glDepthMask|glPolygonMode|gl(Push|Pop)Attrib"),
-    (Role.CLEAR, r"glClear|glClearBuffer(fi|fv|iv|uiv)|glClearNamedFramebuffer\w+"),
-    (Role.READBACK, r"glReadn?Pixels(ARB|KHR)?|glCopy(Multi)?Tex(ture)?(Sub)?Image[123]D(EXT)?"),
+    (Role.MATRIX, r"gl(Load|Mult)(Transpose)?Matrix[dfx](ARB|OES)?|glLoadIdentity"),
+    (Role.MATRIX, r"gl(Rotate|Scale|Translate)[dfx](OES)?|gl(Ortho|Frustum)[fx]?(OES)?"),
+    (Role.MATRIX_MODE, r"glMatrixMode"),
+    (Role.MATRIX_PUSH, r"glPushMatrix"),
+    (Role.MATRIX_POP, r"glPopMatrix"),
+    (Role.ENABLE, r"glEnable"),
+    (Role.DISABLE, r"glDisable"),
+    (Role.WINDING, r"glFrontFace"),
+    (Role.DEPTH_MASK, r"glDepthMask"),
+    (Role.POLYGON_MODE, r"glPolygonMode"),
+    (Role.ATTRIB_PUSH, r"glPushAttrib"),
+    (Role.ATTRIB_POP, r"glPopAttrib"),
+    (Role.CLEAR, r"glClear"),
+    (Role.CLEAR_BUFFER, r"glClearBuffer(fi|fv|iv|uiv)|glClearNamedFramebuffer\w+"),
+    (Role.READ_PIXELS, r"glReadn?Pixels(ARB|KHR)?"),
+    (Role.READBACK, r"glCopy(Multi)?Tex(ture)?(Sub)?Image[123]D(EXT)?"),
     (Role.READBACK, r"glAccum(xOES)?|glBlit(Named)?Framebuffer\w*|glCopyImageSubData(NV)?"),
     (Role.READBACK, r"glCopy(Color(Sub)?Table|ConvolutionFilter\dD)\w*"),
     (Role.TARGET, r"glBindFramebuffer(EXT)?|glDrawBuffers?(ARB|ATI)?"),
     (Role.TARGET, r"glFramebufferDrawBuffers?EXT"),
     (Role.FLUSH, r"glFlush|glFinish"),
-    (Role.BUFFER_WRITE, r"gl(Named)?Buffer(Sub)?(Data|Storage)(ARB|EXT)?"),
-    (Role.BUFFER_WRITE, r"glCopy(Named)?BufferSubData"),
-    (Role.BUFFER_WRITE, r"gl(Unm|M)ap(Named)?Buffer(Range)?(ARB|EXT)?"),
-    (Role.BUFFER_WRITE, r"glClear(Named)?Buffer(Sub)?Data(EXT)?"),
-    (Role.BUFFER_WRITE, r"glFlushMapped(Named)?BufferRange(APPLE|EXT)?|glDeleteBuffers(ARB)?"),
-    (Role.BUFFER_WRITE, r"glInvalidateBuffer(Sub)?Data|gl(Begin|End)TransformFeedback(NV|EXT)?"),
+    (Role.BUFFER_WRITE, r"glBuffer(Sub)?(Data|Storage)(ARB|EXT)?"),
+    (Role.BUFFER_WRITE, r"glCopyBufferSubData"),
+    (Role.BUFFER_WRITE, r"gl(Unm|M)apBuffer(Range)?(ARB|EXT)?"),
+    (Role.BUFFER_WRITE, r"glClearBuffer(Sub)?Data(EXT)?|glFlushMappedBufferRange(APPLE|EXT)?"),
+    (Role.NAMED_BUFFER_WRITE, r"glNamedBuffer(Sub)?(Data|Storage)(ARB|EXT)?"),
+    (Role.NAMED_BUFFER_WRITE, r"gl(Unm|M)apNamedBuffer(Range)?(ARB|EXT)?"),
+    (Role.NAMED_BUFFER_WRITE, r"glCopyNamedBufferSubData|glClearNamedBuffer(Sub)?Data(EXT)?"),
+    (Role.NAMED_BUFFER_WRITE, r"glFlushMappedNamedBufferRange(EXT)?"),
+    (Role.BUFFERS_WRITE, r"glDeleteBuffers(ARB)?"),
+    (Role.BUFFERS_WRITE, r"glInvalidateBuffer(Sub)?Data|gl(Begin|End)TransformFeedback(NV|EXT)?"),
     (Role.CLIP_PLANE, r"glClipPlane[fx]?(OES|IMG)?"),
 )  # fmt: skip
 

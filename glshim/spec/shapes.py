@@ -14,7 +14,8 @@ class ShapeRole(Enum):
 
     SOLID = "draws polygons that its arguments alone decide"
     QUADRIC = "draws polygons that its arguments and the quadric's settings decide"
-    QUADRIC_SETTING = "changes a setting of a quadric"
+    QUADRIC_STYLE = "says whether a quadric has polygons (LINE_STYLES)"
+    QUADRIC_ORIENTATION = "says which side of a quadric is its front"
     EXTRUSION = "draws polygons from arrays and GLE's settings"
     NURBS_OPEN = "opens a NURBS surface"
     NURBS_PART = "adds to it"
@@ -26,7 +27,8 @@ ROWS: tuple[tuple[str, ShapeRole, str], ...] = (
     ("OpenGL.raw.GLUT", ShapeRole.SOLID, r"glutSolid\w+"),
     ("OpenGL.raw.GLUT", ShapeRole.DRAWING, r"glut(Wire|Bitmap(Char|Str)|Stroke(Char|Str))\w+"),
     ("OpenGL.raw.GLU", ShapeRole.QUADRIC, r"glu(Sphere|Cylinder|Disk|PartialDisk)"),
-    ("OpenGL.raw.GLU", ShapeRole.QUADRIC_SETTING, r"gluQuadric(DrawStyle|Orientation)"),
+    ("OpenGL.raw.GLU", ShapeRole.QUADRIC_STYLE, r"gluQuadricDrawStyle"),
+    ("OpenGL.raw.GLU", ShapeRole.QUADRIC_ORIENTATION, r"gluQuadricOrientation"),
     ("OpenGL.raw.GLU", ShapeRole.NURBS_OPEN, r"gluBeginSurface"),
     ("OpenGL.raw.GLU", ShapeRole.NURBS_PART,
      r"gluNurbsSurface|glu(Begin|End)Trim|gluPwlCurve|gluNurbsCurve"),
@@ -36,7 +38,16 @@ ROWS: tuple[tuple[str, ShapeRole, str], ...] = (
      r"|TwistExtrusion)"),
 )  # fmt: skip
 
+GLU_POINT, GLU_LINE, GLU_SILHOUETTE = 100010, 100011, 100013
+GLU_OUTSIDE = 100020
+GLU_AUTO_LOAD_MATRIX = 100200
+LINE_STYLES = (GLU_POINT, GLU_LINE, GLU_SILHOUETTE)
+"""Of quadrics that are drawn without polygons."""
 
+COUNTS: dict[str, tuple[int, ...]] = {
+    "gluSphere": (1, 2), "gluCylinder": (3, 4), "gluDisk": (2, 3), "gluPartialDisk": (2, 3),
+}  # fmt: skip
+"""Which arguments after a quadric are integers."""
 LENGTHS: dict[str, tuple[int, ...]] = {
     "gluSphere": (0,), "gluCylinder": (0, 1, 2), "gluDisk": (0, 1), "gluPartialDisk": (0, 1),
     "glutSolidSphere": (0,), "glutSolidCube": (0,), "glutSolidCone": (0, 1),

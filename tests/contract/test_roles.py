@@ -8,8 +8,13 @@ import re
 
 import pytest
 
-from glshim.spec.attributes import BY_NAME
+from glshim.spec import pixels, roles
+from glshim.spec.attributes import BY_NAME, NORMALS
+from glshim.spec.draws import EVALUATOR_MESHES, RECTANGLES, signature_of
+from glshim.spec.matrices import MATRIX_CALLS
+from glshim.spec.pixels import PixelRole
 from glshim.spec.roles import KNOWN_PASS, ROWS, Role, role_of
+from glshim.spec.shapes import ROWS as SHAPES
 
 
 @pytest.fixture(scope="module")
@@ -27,14 +32,33 @@ def names() -> set[str]:
     return found
 
 
-def test_no_name_is_claimed_twice(names: set[str]) -> None:
-    claims = {n: [p for _, p in ROWS if re.fullmatch(p, n)] for n in names}
+TABLES = [ROWS, pixels.ROWS]
+
+
+@pytest.mark.parametrize("rows", TABLES, ids=["roles", "pixels"])
+def test_no_name_is_claimed_twice(names: set[str], rows: tuple[tuple[object, str], ...]) -> None:
+    claims = {n: [p for _, p in rows if re.fullmatch(p, n)] for n in names}
     assert {n: c for n, c in claims.items() if len(c) > 1} == {}
 
 
-def test_no_row_is_dead(names: set[str]) -> None:
-    dead = [p for _, p in ROWS if not any(re.fullmatch(p, n) for n in names)]
+@pytest.mark.parametrize("rows", TABLES, ids=["roles", "pixels"])
+def test_no_row_is_dead(names: set[str], rows: tuple[tuple[object, str], ...]) -> None:
+    dead = [p for _, p in rows if not any(re.fullmatch(p, n) for n in names)]
     assert dead == []
+
+
+def test_every_role_has_a_row() -> None:
+    assert {role for role, _ in ROWS} == set(Role) - {Role.PASS}
+    assert {role for role, _ in pixels.ROWS} == set(PixelRole)
+
+
+def test_shapes_are_claimed_once_and_no_row_is_dead() -> None:
+    for home in {home for home, _, _ in SHAPES}:
+        known = vars(importlib.import_module(home))
+        patterns = [pattern for module, _, pattern in SHAPES if module == home]
+        claims = {n: [p for p in patterns if re.fullmatch(p, n)] for n in known}
+        assert {n: c for n, c in claims.items() if len(c) > 1} == {}
+        assert {p for c in claims.values() for p in c} == set(patterns)
 
 
 def test_nothing_that_draws_is_passed_unseen(names: set[str]) -> None:
@@ -58,3 +82,28 @@ def test_nothing_that_draws_is_passed_unseen(names: set[str]) -> None:
 def test_recorded_attributes_have_a_signature_each(names: set[str]) -> None:
     recorded = {n for n in names if role_of(n) is Role.ATTRIBUTE}
     assert {n.removesuffix("v") for n in recorded} == set(BY_NAME)
+
+
+def test_calls_with_arguments_that_matter_have_a_row_each(names: set[str]) -> None:
+    def of(role: Role) -> set[str]:
+        return {n for n in names if role_of(n) is role}
+
+    assert of(Role.RECT) == set(RECTANGLES)
+    assert of(Role.EVALUATOR_MESH) == set(EVALUATOR_MESHES)
+    assert all(signature_of(n).parameters[0] == "mode" for n in of(Role.ARRAY_DRAW))
+    assert set(NORMALS) <= of(Role.NORMAL)
+    assert set(MATRIX_CALLS) <= of(Role.MATRIX)
+    extensions = re.compile(r"\w+(OES|ARB)|gl(Ortho|Frustum)f")
+    assert [n for n in of(Role.MATRIX) - set(MATRIX_CALLS) if not extensions.fullmatch(n)] == []
+    assert {n for n in names if pixels.pixel_role(n) is PixelRole.RASTER_PLACE} <= set(
+        pixels.POSITIONS
+    )
+    assert {n for n in names if pixels.pixel_role(n) is PixelRole.QUESTION} == set(pixels.ANSWERS)
+
+
+def test_groups_of_roles_do_not_overlap() -> None:
+    told = [roles.POLYGON_DRAWS, roles.OTHER_DRAWS, roles.LIST_BRACKETS, roles.BUFFER_WRITES]
+    assert sum(map(len, [*told, roles.INSIDE, roles.IN_LISTS])) == len(
+        frozenset().union(*told, roles.INSIDE, roles.IN_LISTS)
+    )
+    assert not roles.WATCHED & (roles.INSIDE | roles.IN_LISTS)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.model.transforms import MATRIX_CALLS
 from glshim.sources.fixed.immediate import assemble
 from glshim.sources.fixed.lists import (
     Bare,
@@ -17,7 +16,9 @@ from glshim.sources.fixed.lists import (
     Opening,
     Primitive,
 )
+from glshim.sources.fixed.matrices import matrix_of
 from glshim.spec.attributes import BY_NAME
+from glshim.spec.matrices import MATRIX_CALLS
 
 MODELVIEW, PROJECTION, DEPTH_TEST, FILL, LINE = 0x1700, 0x1701, 0x0B71, 0x1B02, 0x1B01
 _ROW = BY_NAME["glVertex3f"]
@@ -166,9 +167,8 @@ def _clip(matrix: np.ndarray, *point: float) -> list[float]:
 
 def test_matrix_calls_are_gls() -> None:
     def of(name: str, *args) -> np.ndarray:
-        matrix, loads = MATRIX_CALLS[name](*args)
-        assert loads == name.startswith("glLoad")
-        return matrix
+        assert MATRIX_CALLS[name].loads == name.startswith("glLoad")
+        return matrix_of(MATRIX_CALLS[name], args)
 
     assert np.allclose(of("glTranslated", 1, 2, 3) @ (1, 1, 1, 1), (2, 3, 4, 1))
     assert np.allclose(of("glScalef", 2, 3, 4) @ (1, 1, 1, 1), (2, 3, 4, 1))

@@ -11,17 +11,21 @@ from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.notices import say_fault
+from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
 from glshim.spec.driver import gl
-from glshim.spec.shapes import LENGTHS, ROWS, Shape, ShapeRole, shape_role
+from glshim.spec.shapes import (
+    COUNTS,
+    GLU_AUTO_LOAD_MATRIX,
+    GLU_OUTSIDE,
+    LENGTHS,
+    LINE_STYLES,
+    ROWS,
+    Shape,
+    ShapeRole,
+    shape_role,
+)
 
-_QUADRIC_COUNTS = {
-    "gluSphere": (1, 2), "gluCylinder": (3, 4), "gluDisk": (2, 3), "gluPartialDisk": (2, 3),
-}  # fmt: skip
-"""Which arguments after the quadric are integers."""
-_LINE_STYLES = (100010, 100011, 100013)
-"""GLU_POINT, GLU_LINE, GLU_SILHOUETTE: no polygons."""
-_OUTSIDE = 100020
-_AUTO_LOAD_MATRIX = 100200
+_SETTINGS = frozenset((ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION))
 
 
 class ShapeWatcher(Protocol):
@@ -40,19 +44,15 @@ class CLibraries:
     def __init__(self) -> None:
         self._watcher: ShapeWatcher | None = None
         self._hooked: list[Any] = []
-        self._settings: dict[int, dict[str, int]] = {}
+        self._settings: dict[int, dict[ShapeRole, int]] = {}
+        """By quadric."""
         self._surface: list[tuple[Callable[..., Any], tuple[Any, ...]]] = []
-        self._modules: set[str] = set()
 
     def attach(self, watcher: ShapeWatcher) -> None:
         """Tell a watcher about every shape, in libraries imported already or later."""
         self._watcher = watcher
         for module in sorted({home for home, _, _ in ROWS}):
-            if module not in self._modules:
-                self._modules.add(module)
-                after_import(module, self._hook_module)
-            else:
-                after_import(module, self._hook_module)
+            after_import(module, self._hook_module)
 
     def detach(self) -> None:
         """Take the hooks away."""
@@ -74,8 +74,8 @@ class CLibraries:
             self._hooked.append(function)
 
     def _hook(self, name: str, role: ShapeRole, call: Callable[..., Any]) -> Callable[..., Any]:
-        if role is ShapeRole.QUADRIC_SETTING:
-            return lambda *args: self._set_quadric(name, call, args)
+        if role in _SETTINGS:
+            return lambda *args: self._set_quadric(role, call, args)
         if role in (ShapeRole.NURBS_OPEN, ShapeRole.NURBS_PART):
             return lambda *args: self._nurbs_part(role, call, args)
 
@@ -108,9 +108,9 @@ class CLibraries:
             return Shape(key, _nurbs(parts), camera_bound=True)
         if role is ShapeRole.QUADRIC:
             settings = self._settings.get(_address(args[0]), {})
-            if settings.get("gluQuadricDrawStyle") in _LINE_STYLES:
+            if settings.get(ShapeRole.QUADRIC_STYLE) in LINE_STYLES:
                 return None
-            turn = settings.get("gluQuadricOrientation", _OUTSIDE)
+            turn = settings.get(ShapeRole.QUADRIC_ORIENTATION, GLU_OUTSIDE)
             unit, scale = _unit(name, args[1:])
             return Shape((name, turn, unit), lambda: _quadric(name, turn, unit), scale)
         if role is ShapeRole.EXTRUSION:
@@ -121,9 +121,11 @@ class CLibraries:
         count = len(LENGTHS[name])
         return Shape((name, unit), lambda: call(*unit[:count], *args[count:]), scale)
 
-    def _set_quadric(self, name: str, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    def _set_quadric(
+        self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
+    ) -> Any:
         result = call(*args)
-        self._settings.setdefault(_address(args[0]), {})[name] = int(args[1])
+        self._settings.setdefault(_address(args[0]), {})[role] = int(args[1])
         return result
 
     def _nurbs_part(self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
@@ -142,7 +144,7 @@ def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
     library.gluNewQuadric.restype = ctypes.c_void_p
     quadric = ctypes.c_void_p(library.gluNewQuadric())
     library.gluQuadricOrientation(quadric, ctypes.c_uint(orientation))
-    counts = _QUADRIC_COUNTS[name]
+    counts = COUNTS[name]
     arguments = [
         ctypes.c_int(int(v)) if i in counts else ctypes.c_double(v) for i, v in enumerate(scalars)
     ]
@@ -189,9 +191,9 @@ def _nurbs(parts: list[tuple[Callable[..., Any], tuple[Any, ...]]]) -> Callable[
 
     modelview, projection = (ctypes.c_float * 16)(), (ctypes.c_float * 16)()
     viewport = (ctypes.c_int * 4)()
-    gl.glGetFloatv(0x0BA6, modelview)
-    gl.glGetFloatv(0x0BA7, projection)
-    gl.glGetIntegerv(0x0BA2, viewport)
+    gl.glGetFloatv(GL_MODELVIEW_MATRIX, modelview)
+    gl.glGetFloatv(GL_PROJECTION_MATRIX, projection)
+    gl.glGetIntegerv(GL_VIEWPORT, viewport)
     renderer = ctypes.c_void_p(_address(parts[0][1][0]))
     set_property = PLATFORM.GLU.gluNurbsProperty
     load = PLATFORM.GLU.gluLoadSamplingMatrices
@@ -199,16 +201,16 @@ def _nurbs(parts: list[tuple[Callable[..., Any], tuple[Any, ...]]]) -> Callable[
 
     def draw() -> None:
         automatic = ctypes.c_float()
-        get_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.byref(automatic))
+        get_property(renderer, ctypes.c_uint(GLU_AUTO_LOAD_MATRIX), ctypes.byref(automatic))
         if automatic.value:
-            set_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.c_float(0.0))
+            set_property(renderer, ctypes.c_uint(GLU_AUTO_LOAD_MATRIX), ctypes.c_float(0.0))
             load(renderer, modelview, projection, viewport)
         try:
             for call, args in parts:
                 call(*args)
         finally:
             if automatic.value:
-                set_property(renderer, ctypes.c_uint(_AUTO_LOAD_MATRIX), ctypes.c_float(1.0))
+                set_property(renderer, ctypes.c_uint(GLU_AUTO_LOAD_MATRIX), ctypes.c_float(1.0))
 
     return draw
 

@@ -64,20 +64,24 @@ _calls: list[Callable[[bytes], Any]] = []
 
 def _bare_calls() -> list[Callable[[bytes], Any]]:
     if not _calls:
-        for name, size in zip(REPLAY, SIZE, strict=True):
-            bare = quick(name)
-            if name == "glColor4fv" and size == 3:
-                bare = _opaque(bare)
-            _calls.append(bare if name.endswith("v") else _switch(bare))
+        _calls.extend(_TAKES[row.takes](quick(row.name)) for row in REPLAY)
     return _calls
 
 
-def _opaque(bare: Callable[[bytes], Any]) -> Callable[[bytes], Any]:
+def _record(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
+    return bare
+
+
+def _opaque(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
     return lambda record: bare(record[:12] + _ONE)
 
 
-def _switch(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
+def _number(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
     return lambda record: bare(int(_FLOAT.unpack_from(record)[0]))
+
+
+_TAKES = {"record": _record, "opaque": _opaque, "number": _number}
+"""By `Replay.takes`: from a bare function to what says a record with it."""
 
 
 def replay(stream: bytes) -> None:

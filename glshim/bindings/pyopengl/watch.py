@@ -12,20 +12,18 @@ from typing import Any, Protocol
 from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER, PrimitiveSink
-from glshim.spec.roles import Role, role_of
+from glshim.spec.roles import (
+    IN_LISTS,
+    INSIDE,
+    LIST_BRACKETS,
+    LIST_CALLS,
+    WATCHED,
+    Role,
+    role_of,
+)
 
-_SPILLING = frozenset((Role.IN_PRIMITIVE, Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL))
+_SPILLING = INSIDE | LIST_BRACKETS | LIST_CALLS
 """Roles that what is recorded must not fall behind."""
-
-_WATCHED = frozenset(
-    (
-        Role.ARRAY_DRAW, Role.OPAQUE_DRAW, Role.RECT, Role.EVALUATOR_MESH, Role.PIXELS,
-        Role.LIST_OPEN, Role.LIST_CLOSE, Role.LIST_CALL, Role.LIST_FORGET, Role.CLEAR,
-        Role.READBACK, Role.TARGET, Role.BUFFER_WRITE, Role.CLIP_PLANE,
-    )
-)  # fmt: skip
-_IN_LISTS = frozenset((Role.MATRIX, Role.SWITCH))
-"""Roles that are followed only while a display list is open."""
 
 
 class Watcher(PrimitiveSink, Protocol):
@@ -40,9 +38,11 @@ class Watcher(PrimitiveSink, Protocol):
     def refused(self) -> None:
         """Instead of :meth:`after`: PyOpenGL refused the arguments, nothing was called."""
 
-    def inside(self, name: str, args: tuple[Any, ...], call: Callable[[], Any]) -> None:
-        """After an IN_PRIMITIVE or list call inside a primitive, and the former anywhere in an open
-        list; ``call`` would say it again."""
+    def inside(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[[], Any]
+    ) -> None:
+        """After any watched call inside a primitive, and one of INSIDE anywhere in an open list;
+        ``call`` would say it again."""
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish, which ``call`` makes."""
@@ -84,7 +84,7 @@ class Watch:
 
     def _own(self, name: str) -> Maker | None:
         role = role_of(name)
-        if role not in _SPILLING or (self._watcher is not None and role in _WATCHED):
+        if role not in _SPILLING or (self._watcher is not None and role in WATCHED):
             return None
         return self._maker("own:" + name, lambda: self._spilling(name, role))
 
@@ -92,13 +92,13 @@ class Watch:
         role = role_of(name)
         if role is Role.FLUSH:
             return self._maker(name, lambda: self._flushing)
-        if role in _WATCHED:
+        if role in WATCHED:
             return self._maker(name, lambda: self._telling(name, role))
         return None
 
     def _in_lists(self, name: str) -> Maker | None:
         role = role_of(name)
-        if role not in _IN_LISTS:
+        if role not in IN_LISTS:
             return None
         return self._maker(name, lambda: self._telling(name, role))
 
@@ -109,7 +109,7 @@ class Watch:
 
     def _spilling(self, name: str, role: Role) -> Maker:
         opens, closes = role is Role.LIST_OPEN, role is Role.LIST_CLOSE
-        attribute = role is Role.IN_PRIMITIVE
+        attribute = role in INSIDE
 
         def maker(real: Call) -> Call:
             inside = RECORDER.inside
@@ -119,7 +119,7 @@ class Watch:
                     RECORDER.close_list()
                 # In a list an attribute may belong to the primitive that calls it, or the next.
                 if inside() or (attribute and RECORDER.list_open):
-                    return self._inside(name, args, real)
+                    return self._inside(role, name, args, real)
                 try:
                     return real(*args)
                 finally:
@@ -130,7 +130,7 @@ class Watch:
 
         return maker
 
-    def _inside(self, name: str, args: tuple[Any, ...], real: Call) -> Any:
+    def _inside(self, role: Role, name: str, args: tuple[Any, ...], real: Call) -> Any:
         """A call inside a primitive: what was recorded goes first, the rest straight through."""
         from OpenGL.error import GLError
 
@@ -139,14 +139,14 @@ class Watch:
             result = real(*args)
         except GLError:
             if self._watcher is not None:
-                self._watcher.inside(name, args, lambda: real(*args))
+                self._watcher.inside(role, name, args, lambda: real(*args))
             raise
         if self._watcher is not None:
-            self._watcher.inside(name, args, lambda: real(*args))
+            self._watcher.inside(role, name, args, lambda: real(*args))
         return result
 
     def _telling(self, name: str, role: Role) -> Maker:
-        if role is Role.LIST_OPEN or role is Role.LIST_CLOSE:
+        if role in LIST_BRACKETS:
             return self._bracket(name, role)
 
         def maker(real: Call) -> Call:
@@ -159,7 +159,7 @@ class Watch:
                 if watcher is None:
                     return real(*args)
                 if inside():
-                    return self._inside(name, args, real)
+                    return self._inside(role, name, args, real)
                 watcher.before(role, name, args)
                 try:
                     result = real(*args)

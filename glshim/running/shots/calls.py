@@ -19,6 +19,7 @@ from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.target import BOTH, COLOUR_AT, DRAW, DRAW_BINDING, READ_BINDING, Target
 from glshim.spec.ask import integer, reals
 from glshim.spec.driver import gl
+from glshim.spec.pixels import ANSWERS, POSITIONS, PixelRole, Position, pixel_role
 
 _VIEWPORT, _SCISSOR_BOX, _LINE_WIDTH, _POINT_SIZE = 0x0BA2, 0x0C10, 0x0B21, 0x0B11
 _STIPPLE_REPEAT, _STIPPLE, _ZOOM, _RASTER_PLACE = 0x0B26, 0x0B25, (0x0D16, 0x0D17), 0x0B07
@@ -52,30 +53,30 @@ class Calls:
         shots to come, for what goes into display lists before; settle: called before anything that
         may be the first call of a frame."""
         self._current, self._ahead, self._settle = current, ahead, settle
+        self._changes: dict[PixelRole, Callable[[Call, Any], Any]] = {
+            PixelRole.RECTANGLE: self._rect, PixelRole.LINE_WIDTH: self._line_width,
+            PixelRole.POINT_SIZE: self._length, PixelRole.STIPPLE: self._stipple,
+            PixelRole.ZOOM: self._zoom, PixelRole.BITMAP: self._bitmap,
+            PixelRole.FRAMEBUFFER: self._bind, PixelRole.DRAW_BUFFER: self._draw_buffer,
+            PixelRole.READ_BUFFER: self._read_buffer, PixelRole.DRAW_BUFFERS: self._buffers,
+            PixelRole.READBACK: self._reading, PixelRole.COPY: self._copy,
+            PixelRole.BLIT: self._blit, PixelRole.ACCUMULATION: self._accum,
+            PixelRole.FIRST: self._first,
+        }  # fmt: skip
 
     def maker(self, name: str) -> Callable[[Call], Call] | None:
         """The hook for a name, if it has one."""
-        plain = name.removesuffix("ARB").removesuffix("EXT")
-        change = {
-            "glViewport": self._rect, "glScissor": self._rect,
-            "glLineWidth": self._length, "glPointSize": self._length,
-            "glLineStipple": self._stipple, "glPixelZoom": self._zoom, "glBitmap": self._bitmap,
-            "glBindFramebuffer": self._bind, "glDrawBuffer": self._buffer,
-            "glReadBuffer": self._buffer, "glDrawBuffers": self._buffers,
-            "glReadPixels": self._reading, "glCopyTexImage1D": self._reading,
-            "glCopyTexImage2D": self._reading, "glCopyTexSubImage1D": self._reading,
-            "glCopyTexSubImage2D": self._reading, "glCopyTexSubImage3D": self._reading,
-            "glCopyPixels": self._copy, "glBlitFramebuffer": self._blit, "glAccum": self._accum,
-            "glClear": self._first, "glMatrixMode": self._first, "glLoadIdentity": self._first,
-        }.get(plain)  # fmt: skip
-        if plain.startswith("glWindowPos"):
-            change = self._window_place
-        if change is not None:
-            return lambda real: lambda *args: change(plain, real, args)
-        element: Any = _ELEMENTS.get(name)
-        if element is not None:
+        role = pixel_role(name)
+        if role is None:
+            return None
+        if role is PixelRole.QUESTION:
+            element = _ELEMENTS[ANSWERS[name]]
             return lambda real: lambda *args: self._asked(element, real, args)
-        return None
+        if role is PixelRole.RASTER_PLACE:
+            position = POSITIONS[name]
+            return lambda real: lambda *args: self._window_place(position, real, args)
+        change = self._changes[role]
+        return lambda real: lambda *args: change(real, args)
 
     # -- what is said ----------------------------------------------------------------------------
 
@@ -89,48 +90,52 @@ class Calls:
             return None
         return now.mapping
 
-    def _first(self, name: str, real: Call, args: Any) -> Any:
+    def _first(self, real: Call, args: Any) -> Any:
         self._settle()
         return real(*args)
 
-    def _rect(self, name: str, real: Call, args: Any) -> Any:
+    def _rect(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or len(args) != 4:
             return real(*args)
         return real(*mapping.rect([int(a) for a in args]))
 
-    def _length(self, name: str, real: Call, args: Any) -> Any:
+    def _length(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or len(args) != 1:
             return real(*args)
-        wanted = mapping.length(float(args[0]))
-        if name == "glLineWidth":
-            told_of_limit(wanted)
-        return real(wanted)
+        return real(mapping.length(float(args[0])))
 
-    def _stipple(self, name: str, real: Call, args: Any) -> Any:
+    def _line_width(self, real: Call, args: Any) -> Any:
+        mapping = self._mapping()
+        if mapping is None or len(args) != 1:
+            return real(*args)
+        width = mapping.length(float(args[0]))
+        told_of_limit(width)
+        return real(width)
+
+    def _stipple(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or len(args) != 2:
             return real(*args)
         return real(min(round(mapping.length(max(int(args[0]), 1))), _MOST_STIPPLE), args[1])
 
-    def _zoom(self, name: str, real: Call, args: Any) -> Any:
+    def _zoom(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or len(args) != 2:
             return real(*args)
         return real(float(args[0]) * mapping.across, float(args[1]) * mapping.up)
 
-    def _window_place(self, name: str, real: Call, args: Any) -> Any:
+    def _window_place(self, position: Position, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None:
             return real(*args)
-        values = args[0] if name.endswith("v") else args
-        count = int(name[len("glWindowPos")])
-        x, y, *z = (float(values[k]) for k in range(count))
+        values = args[0] if position.vector else args
+        x, y, *z = (float(values[k]) for k in range(position.size))
         gl.glWindowPos3f(*mapping.place(x, y), z[0] if z else 0.0)
         return None
 
-    def _bitmap(self, name: str, real: Call, args: Any) -> Any:
+    def _bitmap(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or len(args) != 7:
             return real(*args)
@@ -147,7 +152,7 @@ class Calls:
 
     # -- where to --------------------------------------------------------------------------------
 
-    def _bind(self, name: str, real: Call, args: Any) -> Any:
+    def _bind(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
         if now is None or len(args) != 2:
@@ -160,17 +165,21 @@ class Calls:
             convert(now.mapping if before else None, now.mapping if after else None)
         return result
 
-    def _buffer(self, name: str, real: Call, args: Any) -> Any:
+    def _draw_buffer(self, real: Call, args: Any) -> Any:
+        return self._buffer(_DRAW_BUFFER, DRAW_BINDING, real, args)
+
+    def _read_buffer(self, real: Call, args: Any) -> Any:
+        return self._buffer(_READ_BUFFER, READ_BINDING, real, args)
+
+    def _buffer(self, which: int, binding: int, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
-        drawing = name == "glDrawBuffer"
-        binding = DRAW_BINDING if drawing else READ_BINDING
         if now is None or len(args) != 1 or integer(binding) != now.target.name:
             return real(*args)
-        now.buffers[_DRAW_BUFFER if drawing else _READ_BUFFER] = int(args[0])
+        now.buffers[which] = int(args[0])
         return real(_attached(int(args[0])))
 
-    def _buffers(self, name: str, real: Call, args: Any) -> Any:
+    def _buffers(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
         if now is None or integer(DRAW_BINDING) != now.target.name or int(args[0]) != 1:
@@ -183,7 +192,7 @@ class Calls:
 
     # -- what is read ----------------------------------------------------------------------------
 
-    def _reading(self, name: str, real: Call, args: Any) -> Any:
+    def _reading(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
         if now is None or integer(READ_BINDING) != now.target.name:
@@ -191,7 +200,7 @@ class Calls:
         with now.target.as_window(now.mapping):
             return real(*args)
 
-    def _copy(self, name: str, real: Call, args: Any) -> Any:
+    def _copy(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
         if mapping is None or forward.list_open() or len(args) != 5:
             return real(*args)
@@ -202,7 +211,7 @@ class Calls:
         finally:
             gl.glPixelZoom(*zoom)
 
-    def _blit(self, name: str, real: Call, args: Any) -> Any:
+    def _blit(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
         if now is None or len(args) != 10:
@@ -214,7 +223,7 @@ class Calls:
                     corners[k : k + 2] = map(round, now.mapping.place(*corners[k : k + 2]))
         return real(*corners, *args[8:])
 
-    def _accum(self, name: str, real: Call, args: Any) -> Any:
+    def _accum(self, real: Call, args: Any) -> Any:
         self._settle()
         if self._current() is None:
             return real(*args)
@@ -272,9 +281,8 @@ class Calls:
         return found
 
 
-_ELEMENTS = {
-    "glGetIntegerv": ctypes.c_int, "glGetFloatv": ctypes.c_float, "glGetDoublev": ctypes.c_double,
-    "glGetBooleanv": ctypes.c_ubyte,
+_ELEMENTS: dict[str, Any] = {
+    "i": ctypes.c_int, "f": ctypes.c_float, "d": ctypes.c_double, "b": ctypes.c_ubyte,
 }  # fmt: skip
 
 

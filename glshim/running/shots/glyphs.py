@@ -42,13 +42,13 @@ class Glyphs:
         after_import("OpenGL.raw.GLUT", self._hook)
 
     def _hook(self, module: ModuleType) -> None:
-        for name in ("glutBitmapCharacter", "glutBitmapString"):
+        for name, maker in (("glutBitmapCharacter", self._one), ("glutBitmapString", self._string)):
             function: Any = getattr(module, name, None)
             while function is not None and not hasattr(type(function), "_flags_"):
                 function = getattr(function, "", None)  # inside PyOpenGL's logging proxies
             if function is None or not function:
                 continue
-            ground_function(function, self._one if name == "glutBitmapCharacter" else self._string)
+            ground_function(function, maker)
 
     def _one(self, plain: Call) -> Call:
         self._character = plain

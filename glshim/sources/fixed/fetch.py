@@ -16,17 +16,49 @@ from glshim.model.caches import AgingCache
 from glshim.notices import say_once
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import POLYGON_MODES, concatenate, polygon_corners
-from glshim.spec.ask import integer, is_enabled
+from glshim.sources.fixed.pointers import address_of
+from glshim.spec.ask import integer, is_enabled, of_buffer, pointer_of
+from glshim.spec.constants import (
+    GL_ARRAY_BUFFER,
+    GL_ARRAY_BUFFER_BINDING,
+    GL_BUFFER_MAPPED,
+    GL_BUFFER_SIZE,
+    GL_DOUBLE,
+    GL_ELEMENT_ARRAY_BUFFER,
+    GL_ELEMENT_ARRAY_BUFFER_BINDING,
+    GL_FLOAT,
+    GL_HALF_FLOAT,
+    GL_INT,
+    GL_NORMAL_ARRAY,
+    GL_NORMAL_ARRAY_BUFFER_BINDING,
+    GL_NORMAL_ARRAY_POINTER,
+    GL_NORMAL_ARRAY_STRIDE,
+    GL_NORMAL_ARRAY_TYPE,
+    GL_SHORT,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+    GL_VERTEX_ARRAY,
+    GL_VERTEX_ARRAY_BUFFER_BINDING,
+    GL_VERTEX_ARRAY_POINTER,
+    GL_VERTEX_ARRAY_SIZE,
+    GL_VERTEX_ARRAY_STRIDE,
+    GL_VERTEX_ARRAY_TYPE,
+)
 from glshim.spec.context import restarts_primitives
-from glshim.spec.draws import DRAWS, Signature
+from glshim.spec.draws import Signature, signature_of
 from glshim.spec.driver import current_context, gl
+from glshim.spec.roles import Role
 
 _DTYPES = {
-    0x1402: np.int16, 0x1404: np.int32, 0x1406: np.float32, 0x140A: np.float64, 0x140B: np.float16,
+    GL_SHORT: np.int16, GL_INT: np.int32, GL_FLOAT: np.float32, GL_DOUBLE: np.float64,
+    GL_HALF_FLOAT: np.float16,
 }  # fmt: skip
-_INDICES = {0x1401: np.uint8, 0x1403: np.uint16, 0x1405: np.uint32}
-_BINDINGS = {0x8892: 0x8894, 0x8893: 0x8895}
-_ARRAY_BUFFER, _ELEMENT_BUFFER = 0x8892, 0x8893
+_INDICES = {GL_UNSIGNED_BYTE: np.uint8, GL_UNSIGNED_SHORT: np.uint16, GL_UNSIGNED_INT: np.uint32}
+_BINDINGS = {
+    GL_ARRAY_BUFFER: GL_ARRAY_BUFFER_BINDING,
+    GL_ELEMENT_ARRAY_BUFFER: GL_ELEMENT_ARRAY_BUFFER_BINDING,
+}
 
 
 class Unfetchable(Exception):
@@ -55,12 +87,14 @@ class VertexFetch:
         self._epoch = next(_EPOCHS)
         self._kept: AgingCache[PolygonBatch] = AgingCache()
 
-    def buffer_written(self, name: str, args: tuple[Any, ...]) -> None:
-        """A BUFFER_WRITE entry point was called: the buffer's content has a new version."""
-        if "Named" in name and args and isinstance(args[0], int):
-            buffer = args[0]
-        elif args and isinstance(args[0], int) and int(args[0]) in _BINDINGS:
-            buffer = integer(_BINDINGS[int(args[0])])
+    def buffer_written(self, role: Role, args: tuple[Any, ...]) -> None:
+        """A call of BUFFER_WRITES: the buffer's content has a new version; that of all buffers,
+        where it cannot be told which."""
+        first = args[0] if args and isinstance(args[0], int) else None
+        if first is not None and role is Role.NAMED_BUFFER_WRITE:
+            buffer = first
+        elif first in _BINDINGS and role is not Role.BUFFERS_WRITE:
+            buffer = integer(_BINDINGS[first])
         else:
             self._epoch = next(_EPOCHS)
             return
@@ -69,7 +103,7 @@ class VertexFetch:
     def batch(self, name: str, args: Sequence[Any], wanted: Wanted) -> PolygonBatch | None:
         """Polygons of an ARRAY_DRAW call, with what is wanted as far as it is in an array; None
         when it draws none. Raises Unfetchable."""
-        signature = DRAWS[name.removesuffix("EXT")]
+        signature = signature_of(name)
         values = dict(zip(signature.parameters, args, strict=False))
         mode = int(values["mode"])
         if mode not in POLYGON_MODES:
@@ -117,10 +151,10 @@ class VertexFetch:
         scalars = tuple(int(values[p]) for p in signature.parameters if p not in ("indices",))
         indexed: Hashable = None
         if "indices" in values:
-            element_buffer = integer(0x8895)
+            element_buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING)
             if not element_buffer:
                 return None
-            indexed = (*self._version(element_buffer), _address(values["indices"]))
+            indexed = (*self._version(element_buffer), address_of(values["indices"]))
         version = self._version(pointer.buffer)
         with_normals = (normal, self._version(normal.buffer)) if normal else None
         return ("arrays", current_context(), scalars, pointer, version, indexed, with_normals)
@@ -179,15 +213,20 @@ def _indices(value: Any, type_: int, count: int) -> NDArray[np.int64]:
     if restarts_primitives():
         raise Unfetchable("primitive restart is on")
     dtype = np.dtype(_INDICES[type_])
-    raw = _bytes(integer(0x8895), _ELEMENT_BUFFER, _address(value), count * dtype.itemsize)
+    bound = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING)
+    raw = _bytes(bound, GL_ELEMENT_ARRAY_BUFFER, address_of(value), count * dtype.itemsize)
     return np.frombuffer(raw, dtype).astype(np.int64)
 
 
 def _vertex_pointer() -> _Pointer:
-    if not is_enabled(0x8074):
+    if not is_enabled(GL_VERTEX_ARRAY):
         raise Unfetchable("positions are not in the fixed-function vertex array")
     pointer = _Pointer(
-        integer(0x807A), integer(0x807B), integer(0x807C), integer(0x8896), _pointed(0x808E)
+        integer(GL_VERTEX_ARRAY_SIZE),
+        integer(GL_VERTEX_ARRAY_TYPE),
+        integer(GL_VERTEX_ARRAY_STRIDE),
+        integer(GL_VERTEX_ARRAY_BUFFER_BINDING),
+        pointer_of(GL_VERTEX_ARRAY_POINTER),
     )
     if pointer.type not in _DTYPES:
         raise Unfetchable(f"vertex type {pointer.type:#x}")
@@ -196,16 +235,15 @@ def _vertex_pointer() -> _Pointer:
 
 def _normal_pointer() -> _Pointer | None:
     """The normal array, None when it is off."""
-    if not is_enabled(0x8075):
+    if not is_enabled(GL_NORMAL_ARRAY):
         return None
-    return _Pointer(3, integer(0x807E), integer(0x807F), integer(0x8897), _pointed(0x808F))
-
-
-def _pointed(name: int) -> int:
-    """An address, or the offset in a buffer, of the client state."""
-    address = ctypes.c_void_p()
-    gl.glGetPointerv(name, ctypes.byref(address))
-    return address.value or 0
+    return _Pointer(
+        3,
+        integer(GL_NORMAL_ARRAY_TYPE),
+        integer(GL_NORMAL_ARRAY_STRIDE),
+        integer(GL_NORMAL_ARRAY_BUFFER_BINDING),
+        pointer_of(GL_NORMAL_ARRAY_POINTER),
+    )
 
 
 def _normals(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
@@ -244,7 +282,7 @@ def _strided(
     if not pointer.buffer and not pointer.address:
         raise Unfetchable("the pointer of an array is null")
     start, size = pointer.address + first * stride, (count - 1) * stride + width
-    raw = _bytes(pointer.buffer, _ARRAY_BUFFER, start, size)
+    raw = _bytes(pointer.buffer, GL_ARRAY_BUFFER, start, size)
     return np.ndarray((count, pointer.size), dtype, raw, 0, (stride, dtype.itemsize))
 
 
@@ -257,12 +295,9 @@ def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:
     bound = integer(_BINDINGS[target])
     gl.glBindBuffer(target, buffer)
     try:
-        state = ctypes.c_int()
-        gl.glGetBufferParameteriv(target, 0x88BC, ctypes.byref(state))
-        if state.value:
+        if of_buffer(target, GL_BUFFER_MAPPED):
             raise Unfetchable("the buffer is mapped while it is drawn from")
-        gl.glGetBufferParameteriv(target, 0x8764, ctypes.byref(state))
-        if address + size > state.value:
+        if address + size > of_buffer(target, GL_BUFFER_SIZE):
             raise Unfetchable("the draw reads past the end of its buffer")
         data = ctypes.create_string_buffer(size)
         gl.glGetBufferSubData(target, address, size, data)
@@ -271,21 +306,8 @@ def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:
         gl.glBindBuffer(target, bound)
 
 
-def _address(value: Any) -> int:
-    """The address (or buffer offset) behind an argument of PyOpenGL's raw layer."""
-    if value is None:
-        return 0
-    if isinstance(value, int):
-        return value
-    if isinstance(value, ctypes.c_void_p):
-        return value.value or 0
-    from OpenGL.arrays import ArrayDatatype
-
-    return int(ArrayDatatype.voidDataPointer(value).value or 0)
-
-
 def _integers_at(value: Any, count: int) -> list[int]:
-    return list((ctypes.c_int * count).from_address(_address(value)))
+    return list((ctypes.c_int * count).from_address(address_of(value)))
 
 
 def _pointers_at(value: Any, count: int) -> list[int]:

@@ -18,19 +18,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted
-from glshim.model.transforms import MATRIX_CALLS
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, concatenate, transformed
+from glshim.sources.fixed.matrices import matrix_of
+from glshim.sources.fixed.pointers import address_of, numbers_at
+from glshim.spec.constants import (
+    GL_BYTE,
+    GL_CURRENT_BIT,
+    GL_DEPTH_TEST,
+    GL_FILL,
+    GL_FLOAT,
+    GL_INT,
+    GL_MODELVIEW,
+    GL_SHORT,
+    GL_UNSIGNED_BYTE,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_SHORT,
+)
+from glshim.spec.matrices import MATRIX_CALLS
+from glshim.spec.roles import Role, role_of
 from glshim.spec.shapes import Shape
 
-_DEPTH_TEST, _MODELVIEW = 0x0B71, 0x1700
-_FILL = 0x1B02
 _NESTING = 64
 _serial = count()
-_CURRENT_BIT = 0x1
 _ID_TYPES = {
-    0x1400: np.int8, 0x1401: np.uint8, 0x1402: np.int16, 0x1403: np.uint16, 0x1404: np.int32,
-    0x1405: np.uint32, 0x1406: np.float32,
+    GL_BYTE: np.int8, GL_UNSIGNED_BYTE: np.uint8, GL_SHORT: np.int16, GL_UNSIGNED_SHORT: np.uint16,
+    GL_INT: np.int32, GL_UNSIGNED_INT: np.uint32, GL_FLOAT: np.float32,
 }  # fmt: skip
 
 
@@ -59,8 +72,9 @@ class Change:
     @classmethod
     def of(cls, name: str, args: tuple[Any, ...]) -> Change:
         """With matrices copied: the app may change its array."""
-        if "Matrix" in name and len(args) == 1 and name != "glMatrixMode":
-            args = (_matrix(name, args[0]),)
+        call = MATRIX_CALLS.get(name)
+        if call is not None and call.element and len(args) == 1:
+            args = (numbers_at(args[0], call.element, 16),)
         return cls(name, args)
 
 
@@ -297,62 +311,50 @@ class _Walk:
         self.found.append((batch, self._matrix, self._loaded))
 
     def _change(self, change: Change) -> None:
-        name, args = change.name, change.args
-        if name == "glMatrixMode":
+        role, args = role_of(change.name), change.args
+        if role is Role.MATRIX_MODE:
             self._mode = int(args[0])
-        elif name in MATRIX_CALLS or name in ("glPushMatrix", "glPopMatrix"):
-            if self._mode == _MODELVIEW:
-                self._move(name, args)
-        elif name == "glPushAttrib":
-            kept = self._normal if int(args[0]) & _CURRENT_BIT else None
+        elif role in _MATRIX_ROLES:
+            if self._mode == GL_MODELVIEW:
+                self._move(role, change)
+        elif role is Role.ATTRIB_PUSH:
+            kept = self._normal if int(args[0]) & GL_CURRENT_BIT else None
             self._attributes.append((dict(self._switches), kept))
-        elif name == "glPopAttrib":
+        elif role is Role.ATTRIB_POP:
             if self._attributes:
                 self._switches, kept = self._attributes.pop()
                 self._normal = self._normal if kept is None else kept
-        elif name in ("glEnable", "glDisable"):
-            if int(args[0]) == _DEPTH_TEST:
-                self._switches["depth"] = name == "glEnable"
-        elif name == "glDepthMask":
+        elif role is Role.ENABLE or role is Role.DISABLE:
+            if int(args[0]) == GL_DEPTH_TEST:
+                self._switches["depth"] = role is Role.ENABLE
+        elif role is Role.DEPTH_MASK:
             self._switches["write"] = bool(args[0])
-        elif name == "glPolygonMode":
-            self._switches["fill"] = int(args[1]) == _FILL
+        elif role is Role.POLYGON_MODE:
+            self._switches["fill"] = int(args[1]) == GL_FILL
 
-    def _move(self, name: str, args: tuple[Any, ...]) -> None:
-        if name == "glPushMatrix":
+    def _move(self, role: Role, change: Change) -> None:
+        if role is Role.MATRIX_PUSH:
             self._stack.append((self._matrix, self._loaded))
-        elif name == "glPopMatrix":
+        elif role is Role.MATRIX_POP:
             if self._stack:
                 self._matrix, self._loaded = self._stack.pop()
-        else:
-            matrix, loads = MATRIX_CALLS[name](*args)
-            self._matrix = matrix if loads else self._matrix @ matrix
-            self._loaded = self._loaded or loads
+        elif change.name in MATRIX_CALLS:
+            call = MATRIX_CALLS[change.name]
+            matrix = matrix_of(call, change.args)
+            self._matrix = matrix if call.loads else self._matrix @ matrix
+            self._loaded = self._loaded or call.loads
 
 
-def _matrix(name: str, value: Any) -> list[float]:
-    from OpenGL import arrays
-
-    double = name.endswith("d")
-    kind = arrays.GLdoubleArray if double else arrays.GLfloatArray
-    element = ctypes.c_double if double else ctypes.c_float
-    return list((element * 16).from_address(int(kind.dataPointer(value))))
+_MATRIX_ROLES = frozenset((Role.MATRIX, Role.MATRIX_PUSH, Role.MATRIX_POP))
 
 
-def list_names(name: str, args: Sequence[Any], base: int) -> tuple[int, ...]:
-    """The lists that a LIST_CALL entry point calls; `base` is GL_LIST_BASE."""
-    if name == "glCallList":
+def list_names(role: Role, args: Sequence[Any], base: int) -> tuple[int, ...]:
+    """The lists that a call of LIST_CALLS runs; `base` is GL_LIST_BASE."""
+    if role is Role.LIST_CALL:
         return (int(args[0]),)
     count, type_, pointer = int(args[0]), int(args[1]), args[2]
     dtype = _ID_TYPES.get(type_)
     if dtype is None or count <= 0:
         return ()
-    from OpenGL.arrays import ArrayDatatype
-
-    address = (
-        pointer.value
-        if isinstance(pointer, ctypes.c_void_p)
-        else ArrayDatatype.voidDataPointer(pointer).value
-    )
-    raw = ctypes.string_at(int(address or 0), count * np.dtype(dtype).itemsize)
+    raw = ctypes.string_at(address_of(pointer), count * np.dtype(dtype).itemsize)
     return tuple(int(i) + base for i in np.frombuffer(raw, dtype))

@@ -5,9 +5,7 @@ Object space, never normalised. A zero normal stands for one that is not known.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping, Sequence
-from ctypes import string_at
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -15,25 +13,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
-from glshim.spec.attributes import BY_NAME, KIND, NORMAL, RECORD_BYTES, VERTEX, decode
+from glshim.sources.fixed.pointers import dtype_of, numbers_at
+from glshim.spec.attributes import (
+    BY_NAME,
+    KIND,
+    NORMAL,
+    NORMALS,
+    RECORD_BYTES,
+    VERTEX,
+    NormalCall,
+    decode,
+)
+from glshim.spec.constants import (
+    GL_BYTE,
+    GL_DOUBLE,
+    GL_FLOAT,
+    GL_HALF_FLOAT,
+    GL_INT,
+    GL_INT_2_10_10_10_REV,
+    GL_SHORT,
+    GL_UNSIGNED_INT_2_10_10_10_REV,
+)
+from glshim.spec.roles import INSIDE, Role, role_of
 
 Floats = NDArray[np.float32]
 
 DTYPES: Mapping[int, type[np.generic]] = {
-    0x1400: np.int8, 0x1402: np.int16, 0x1404: np.int32, 0x1406: np.float32, 0x140A: np.float64,
-    0x140B: np.float16,
+    GL_BYTE: np.int8, GL_SHORT: np.int16, GL_INT: np.int32, GL_FLOAT: np.float32,
+    GL_DOUBLE: np.float64, GL_HALF_FLOAT: np.float16,
 }  # fmt: skip
 """By the type of a normal array."""
-_SIGNED, _UNSIGNED = 0x8D9F, 0x8368
-"""GL_INT_2_10_10_10_REV and its unsigned kin: a normal in 32 bits, 10 a component."""
+_PACKED = (GL_INT_2_10_10_10_REV, GL_UNSIGNED_INT_2_10_10_10_REV)
+"""A normal in 32 bits, 10 a component."""
 
 _ROW = BY_NAME["glNormal3f"]
 UNKNOWN = _ROW.pack.pack(0.0, 0.0, 0.0, _ROW.tag)
 """The record of a normal that is not known."""
-_VECTORS: Mapping[str, tuple[str, type[np.generic]]] = {
-    "b": ("GLbyteArray", np.int8), "s": ("GLshortArray", np.int16), "i": ("GLintArray", np.int32),
-    "ui": ("GLuintArray", np.uint32),
-}  # fmt: skip
 
 
 def mapped(values: NDArray[Any]) -> Floats:
@@ -49,7 +64,7 @@ def mapped(values: NDArray[Any]) -> Floats:
 def _unpacked(value: int, type_: int) -> Floats:
     """(3,) a packed normal (OpenGL 4.2, section 2.1.6, equations 2.1 and 2.2)."""
     parts = np.array([value >> shift & 1023 for shift in (0, 10, 20)], np.float32)
-    if type_ == _UNSIGNED:
+    if type_ == GL_UNSIGNED_INT_2_10_10_10_REV:
         return parts / np.float32(1023.0)
     signed = np.where(parts > 511.0, parts - 1024.0, parts)
     return np.asarray(np.maximum(signed / 511.0, -1.0), np.float32)
@@ -61,32 +76,28 @@ def record(normal: NDArray[np.float32]) -> bytes:
 
 
 def said(name: str, args: tuple[Any, ...]) -> bytes:
-    """The record of a call of glNormal3b, 3s, 3i or P3ui, vector forms included; UNKNOWN for other
-    calls that may set the normal, empty for those that do not."""
-    match = re.fullmatch(r"gl(?:Normal3([bsi])|NormalP3(ui))(v?)", name)
-    if match is None:
-        return UNKNOWN if re.search("Normal|ArrayElement|Eval", name) else b""
-    letters, vector = match[1] or match[2], bool(match[3])
+    """The record of a call that is legal inside a primitive and sets the normal alone; UNKNOWN for
+    others that may set it, empty for those that do not."""
+    call = NORMALS.get(name)
+    if call is None:
+        role = role_of(name)
+        return UNKNOWN if role in INSIDE and role is not Role.IN_PRIMITIVE else b""
     try:
-        if match[1]:
-            return record(mapped(_values(letters, vector, args[:3], 3)))
+        if not call.packed:
+            return record(mapped(_values(call, args, 3)))
         type_ = _integer(args[0])
-        (packed,) = _values(letters, vector, args[1:2], 1).tolist()
+        (packed,) = _values(call, args[1:], 1).tolist()
     except Exception:  # the driver took what we cannot read
         return UNKNOWN
-    return record(_unpacked(packed, type_)) if type_ in (_SIGNED, _UNSIGNED) else UNKNOWN
+    return record(_unpacked(packed, type_)) if type_ in _PACKED else UNKNOWN
 
 
-def _values(letters: str, vector: bool, args: Sequence[Any], count: int) -> NDArray[Any]:
+def _values(call: NormalCall, args: tuple[Any, ...], count: int) -> NDArray[Any]:
     """(count,) the numbers that the driver took: arguments, or what a vector form points to."""
-    from OpenGL import arrays
-
-    array, dtype = _VECTORS[letters]
-    if not vector:
-        wide = np.array([_integer(value) for value in args], np.int64)
-        return wide.astype(dtype)  # wraps, as C does
-    address = int(getattr(arrays, array).dataPointer(args[0]))
-    return np.frombuffer(string_at(address, count * np.dtype(dtype).itemsize), dtype)
+    if call.vector:
+        return numbers_at(args[0], call.letters, count)
+    wide = np.array([_integer(value) for value in args[:count]], np.int64)
+    return wide.astype(dtype_of(call.letters))  # wraps, as C does
 
 
 def _integer(value: Any) -> int:

@@ -1,0 +1,35 @@
+"""The matrix that a call stands for, in numpy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from glshim.model.transforms import (
+    Matrix,
+    column_major,
+    frustum,
+    orthographic,
+    rotation,
+    scaling,
+    translation,
+)
+from glshim.spec.matrices import MatrixCall, Operation
+
+_FORMULAS: Mapping[Operation, Callable[..., Matrix]] = {
+    Operation.IDENTITY: lambda: np.eye(4),
+    Operation.TRANSLATE: translation,
+    Operation.SCALE: scaling,
+    Operation.ROTATE: rotation,
+    Operation.ORTHO: orthographic,
+    Operation.FRUSTUM: frustum,
+    Operation.COLUMNS: column_major,
+    Operation.ROWS: lambda values: column_major(values).T,
+}
+
+
+def matrix_of(call: MatrixCall, args: Sequence[Any]) -> Matrix:
+    """(4, 4) of a call's arguments; sixteen numbers come as one sequence."""
+    return _FORMULAS[call.operation](*args)
