@@ -23,14 +23,7 @@ from glshim.sources.fixed.state import DrawState, colour
 from glshim.sources.scene import Scene, Scenes, normal_of
 from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
 from glshim.spec.driver import gl
-from glshim.spec.roles import (
-    BUFFER_WRITES,
-    IN_LISTS,
-    LIST_CALLS,
-    OTHER_DRAWS,
-    POLYGON_DRAWS,
-    Role,
-)
+from glshim.spec.roles import BUFFER_WRITES, IN_LISTS, LIST_CALLS, OTHER_DRAWS, POLYGON_DRAWS, Role
 from glshim.spec.shapes import Shape
 
 _COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
@@ -233,10 +226,8 @@ class Follower:
             self._open(True, scene)
         elif role in OTHER_DRAWS:
             self._open(False, scene)
-        elif role is Role.CLEAR:
-            self._clear(scene, _number(args, 0))
-        elif role is Role.CLEAR_BUFFER:
-            self._clear(scene, _COLOR_AND_DEPTH)
+        elif role in (Role.CLEAR, Role.CLEAR_BUFFER):
+            self._clear(scene, _number(args, 0) if role is Role.CLEAR else _COLOR_AND_DEPTH)
         elif role is Role.READ_PIXELS:
             if _number(args, 2) * _number(args, 3) > _PICK_AREA:
                 self.finish_layer()
