@@ -16,8 +16,8 @@ from glshim.model.batch import Wanted
 from glshim.notices import say_fault
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
-from glshim.outputs.gl.sheet import SHEET
-from glshim.outputs.gl.surface import Surface
+from glshim.outputs.gl.frame.cover import Surface
+from glshim.outputs.gl.frame.sheet import SHEET
 from glshim.sources.fixed.state import light
 from glshim.sources.follower import Follower
 from glshim.sources.scene import Scene, say_unstyled

@@ -23,7 +23,7 @@ from glshim.control import owners
 from glshim.control.keys import KEYS, LiveSettings
 from glshim.errors import GlshimError
 from glshim.notices import say, say_once
-from glshim.outputs.gl import framegrab, overlay
+from glshim.outputs.gl.frame import grab, overlay
 from glshim.styling import registry, texts
 from glshim.styling.descriptions import changed_options
 from glshim.styling.protocol import Styler
@@ -258,7 +258,7 @@ class Pictures:
         name = f"glshim-{self._program}-{_word(style)}"
         try:
             self._folder.mkdir(parents=True, exist_ok=True)
-            picture = framegrab.grab(size, frames.drawable_framebuffer())
+            picture = grab.grab(size, frames.drawable_framebuffer())
             for number in count(1):
                 path = self._folder / f"{name}-{number:03d}.png"
                 try:

@@ -37,14 +37,14 @@ def begin(folder: str) -> None:
         from glshim.running.shots.plan import Plan
         from glshim.running.shots.shooter import Shot
 
-        shot = Shot(Plan.of_text(os.environ[SHOT]))
+        shot = Shot(Plan.of_text(os.environ[SHOT]), stillness.MOMENT)
         shot.prepare()
     if settings.style is not None or settings.live is not None:
         _install(settings.style or NO_STYLE, folder, live=settings.live is not None)
     if shot is not None:
         shot.begin()
     if settings.capture is not None:
-        from glshim.outputs.gl.framegrab import FrameWriter
+        from glshim.outputs.gl.frame.grab import FrameWriter
 
         writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
         frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)

@@ -80,7 +80,7 @@ def run(mode: str, seconds: float, sieved: bool, screen: dict[str, str]) -> floa
 
 def print_memory() -> None:
     """Bytes of the textures that the passes read, over those of the input mesh."""
-    from glshim.outputs.gl.guard import Guard
+    from glshim.outputs.gl.device.guard import Guard
     from tests import look
     from tests.benchmarks import scenes
     from tests.decision.edge_mesh import runner

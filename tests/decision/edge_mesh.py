@@ -20,8 +20,8 @@ from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import Runner, seen_from
 from glshim.styling.passes import MeshShader, Pass, Primitives
 from glshim.styling.values import Body

@@ -9,7 +9,7 @@ import pytest
 from OpenGL import GL
 
 from glshim import pipeline
-from glshim.outputs.gl import overlay
+from glshim.outputs.gl.frame import overlay
 
 from .registry import SCENES
 from .test_contexts import cube

@@ -10,7 +10,7 @@ import pytest
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.cameras import hair_of
+from glshim.outputs.gl.frame.cameras import hair_of
 from glshim.styling.protocol import Layer, Lines
 from stylers.blueprint import Blueprint
 from stylers.blueprint.dimensions import characters

@@ -11,8 +11,8 @@ from glshim.geometry.crease.creases import creases
 from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.geometry.references.crease_quads import crease_quads, silhouette_quads, silhouettes
 from glshim.model.camera import Camera
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from stylers.crease import CREASES, SILHOUETTES

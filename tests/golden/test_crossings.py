@@ -12,11 +12,11 @@ from OpenGL import GL
 from glshim.linework import crossings as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.device.plain import _OFF
+from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.laying import triangles as fans
 from glshim.outputs.gl.lines.crossings import Crossings
-from glshim.outputs.gl.lines.laying import triangles as fans
-from glshim.outputs.gl.plain import _OFF
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer, Lines, Medium
 from glshim.styling.wishes import Choice

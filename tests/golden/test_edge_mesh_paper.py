@@ -15,8 +15,8 @@ from glshim.geometry.meshshaders.sieve import EdgeSieve
 from glshim.geometry.references import thick_lines
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from glshim.styling.values import Body

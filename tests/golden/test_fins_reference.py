@@ -12,8 +12,8 @@ from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.geometry.references.fins import drawn_sides, facing, fins
 from glshim.model.camera import Camera
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.styling.protocol import Layer
 from stylers.fins import Fins, as_printed
 from tests import look

@@ -22,8 +22,8 @@ STATE_SCENES = "array_draws-client or everything_under or lists or element_buffe
 
 BARE = """
 from glshim.sources import scene
-from glshim.outputs.gl import guard
-from glshim.outputs.gl.lines import laying
+from glshim.outputs.gl.device import guard
+from glshim.outputs.gl.frame import laying
 from glshim.spec.driver import gl
 from tests.differential.test_contexts import VISIBLE, cube, inked
 from tests.differential.world import run

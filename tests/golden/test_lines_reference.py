@@ -17,10 +17,10 @@ from glshim.linework.polygon_lines import lines
 from glshim.model.camera import Camera
 from glshim.model.lines import FIN, INTERSECTION, LONE_RIDGE, OUTLINES, RIDGE, RING, VALLEY
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.cameras import turned
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.guard import Guard
-from glshim.outputs.gl.lines.canvas import Canvas
+from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.frame.cameras import turned
+from glshim.outputs.gl.frame.canvas import Canvas
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.driver import gl
 from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER

@@ -12,7 +12,7 @@ from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
-from glshim.outputs.gl.arrays import fans
+from glshim.outputs.gl.device.arrays import fans
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer

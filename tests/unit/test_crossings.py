@@ -7,7 +7,7 @@ import pytest
 
 from glshim.linework import crossings
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD
-from glshim.outputs.gl.lines.laying import triangles as fans
+from glshim.outputs.gl.frame.laying import triangles as fans
 from tests import look
 
 

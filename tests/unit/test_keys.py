@@ -191,7 +191,7 @@ def test_a_picture_never_replaces_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     picture = Image.fromarray(np.full((2, 3, 3), 7, np.uint8))
-    monkeypatch.setattr(live.framegrab, "grab", lambda *_: picture)
+    monkeypatch.setattr(live.grab, "grab", lambda *_: picture)
     monkeypatch.setattr(live, "program_name", lambda: "app")
     (tmp_path / "glshim-app-a_b-002.png").write_text("kept")
     pictures = live.Pictures(str(tmp_path / "new" / ".."))

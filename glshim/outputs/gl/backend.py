@@ -16,17 +16,17 @@ from glshim.linework.groups import Group, grouped
 from glshim.linework.polygon_lines import lay_pattern
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.cameras import box_of, hair_of, scissor, stencil, turned
-from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.guard import Guard, possible
-from glshim.outputs.gl.lines.canvas import Canvas
+from glshim.outputs.gl.device.guard import Guard, possible
+from glshim.outputs.gl.device.plain import plainly
+from glshim.outputs.gl.device.textures import Textures
+from glshim.outputs.gl.frame.cameras import box_of, hair_of, scissor, stencil, turned
+from glshim.outputs.gl.frame.canvas import Canvas
+from glshim.outputs.gl.frame.depth import Box, DepthCopy
+from glshim.outputs.gl.frame.laying import Layer
 from glshim.outputs.gl.lines.crossings import Crossings
-from glshim.outputs.gl.lines.laying import Layer
 from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
-from glshim.outputs.gl.plain import plainly
-from glshim.outputs.gl.textures import Textures
 from glshim.spec.ask import integer
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.spec.driver import current_context

@@ -17,10 +17,10 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.arrays import fans, put_the_apps_arrays_away
-from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, scissor, stencil
-from glshim.outputs.gl.guard import Guard, drain, possible
-from glshim.outputs.gl.plain import plainly
+from glshim.outputs.gl.device.arrays import fans, put_the_apps_arrays_away
+from glshim.outputs.gl.device.guard import Guard, drain, possible
+from glshim.outputs.gl.device.plain import plainly
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
 from glshim.spec.ask import integer
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
 from glshim.spec.driver import current_context, gl

@@ -13,7 +13,7 @@ import numpy as np
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import Call, ground_function
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.outputs.gl.guard import Guard, possible
+from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
 from glshim.spec.ask import integer

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,8 @@ from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
 from glshim.notices import say
-from glshim.outputs.gl.framegrab import grab
-from glshim.outputs.gl.sheet import SHEET
-from glshim.running import stillness
+from glshim.outputs.gl.frame.grab import grab
+from glshim.outputs.gl.frame.sheet import SHEET
 from glshim.running.shots.calls import Calls, convert
 from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
@@ -39,11 +38,19 @@ number of them that it may."""
 Pixels = NDArray[np.uint8]
 
 
+class Clock(Protocol):
+    """The program's time."""
+
+    held: bool
+    """It stands: the same moment is drawn again."""
+
+
 class Shot:
     """A `calls.Surface`, and what listens to the ends of frames."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, clock: Clock) -> None:
         self.plan = plan
+        self._clock = clock
         self.mapping: Mapping = Mapping((1, 1), (1, 1), (0, 0))
         self.target: Any = None
         self.home = 0
@@ -138,7 +145,7 @@ class Shot:
         self.target = Target((self._left[0].width, self._left[0].height))
         self._sheet = np.zeros((sheet[1], sheet[0], 3), np.uint8)
         self._seen = np.zeros((sheet[1], sheet[0]), bool)
-        stillness.MOMENT.held = True
+        self._clock.held = True
         # What programs read back may lie in another tile: a frame in the window shows it all.
         self._rehearsing = len(self._left) > 1
         if not self._rehearsing:
@@ -208,7 +215,7 @@ class Shot:
             if integer(READ_BINDING) == self.target.name:
                 gl.glBindFramebuffer(READ, self.home)
         self._tile, self.target = None, None
-        stillness.MOMENT.held = False
+        self._clock.held = False
 
     # -- what calls ask --------------------------------------------------------------------------
 

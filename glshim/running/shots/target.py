@@ -9,8 +9,8 @@ from contextlib import contextmanager
 from PIL.Image import Image
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.framegrab import grab
-from glshim.outputs.gl.guard import Guard, drain
+from glshim.outputs.gl.device.guard import Guard, drain
+from glshim.outputs.gl.frame.grab import grab
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Size
 from glshim.spec.ask import integer

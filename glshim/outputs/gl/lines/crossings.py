@@ -26,9 +26,9 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
-from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
-from glshim.outputs.gl.depth import UNIT, Box
-from glshim.outputs.gl.lines.laying import triangles
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
+from glshim.outputs.gl.frame.depth import UNIT, Box
+from glshim.outputs.gl.frame.laying import triangles
 from glshim.spec.ask import integer
 from glshim.spec.driver import gl
 from glshim.styling.values import Item
@@ -161,9 +161,9 @@ class Crossings:
         """(L, 21) records (`glshim.model.lines`) where polygons of batches cross.
 
         items: of a `glshim.linework.groups.Group`. greater: farther is less depth. bits of
-        the app's finished depth, which `glshim.outputs.gl.depth.UNIT` holds; None: there is none.
-        What is not in that is left out. Blending, culling and the like are off; bindings come back
-        as they were, depth test and writes are off afterwards.
+        the app's finished depth, which `glshim.outputs.gl.frame.depth.UNIT` holds; None: there is
+        none. What is not in that is left out. Blending, culling and the like are off; bindings come
+        back as they were, depth test and writes are off afterwards.
         """
         camera = items[0][1]
         scene = self._scene(items)

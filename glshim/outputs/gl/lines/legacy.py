@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.arrays import put_the_apps_arrays_away
-from glshim.outputs.gl.cameras import inputs_of
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
+from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.frame.cameras import inputs_of
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.context import MODERN
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Expansion, Shader, Uniform

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
-from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, inputs_of
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.programs import Program
+from glshim.outputs.gl.device.programs import Program
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
+from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Shader, Uniform
 

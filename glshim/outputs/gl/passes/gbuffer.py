@@ -7,8 +7,8 @@ T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990;
 from __future__ import annotations
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.depth import Box
-from glshim.outputs.gl.passes.uploads import made
+from glshim.outputs.gl.device.uploads import made
+from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.driver import gl
 
 UNIT = 4

@@ -20,8 +20,8 @@ from glshim.geometry.recovery.outward import outward
 from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
+from glshim.outputs.gl.device.uploads import Indices, delete, upload
 from glshim.outputs.gl.passes.sieved import Sieved
-from glshim.outputs.gl.passes.uploads import Indices, delete, upload
 from glshim.spec.driver import gl
 from glshim.styling.passes import Element
 

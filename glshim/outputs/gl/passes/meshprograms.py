@@ -10,7 +10,7 @@ import moderngl
 
 from glshim.errors import RenderError
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
-from glshim.outputs.gl.programs import Program
+from glshim.outputs.gl.device.programs import Program
 from glshim.styling.passes import MeshShader
 
 _SHADERS = files("glshim.outputs.gl") / "shaders"

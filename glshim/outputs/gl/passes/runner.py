@@ -18,18 +18,18 @@ from glshim.linework.groups import lens_of
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
-from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.passes.colour import UNIT as COLOUR_UNIT
-from glshim.outputs.gl.passes.colour import ColourCopy
+from glshim.outputs.gl.device.programs import Program
+from glshim.outputs.gl.device.textures import Textures
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
+from glshim.outputs.gl.frame.colour import UNIT as COLOUR_UNIT
+from glshim.outputs.gl.frame.colour import ColourCopy
+from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.outputs.gl.passes.gbuffer import UNIT as GBUFFER_UNIT
 from glshim.outputs.gl.passes.gbuffer import GBuffer
 from glshim.outputs.gl.passes.meshes import UNITS, Posed, Resident, Residents
 from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.sieved import UNIT as SIEVED_UNIT
 from glshim.outputs.gl.passes.stage import NOTHING_DRAWN, Stage
-from glshim.outputs.gl.programs import Program
-from glshim.outputs.gl.textures import Textures
 from glshim.spec.driver import gl
 from glshim.styling.passes import VERTICES, Comparison, Pass, State, Stencil
 from glshim.styling.values import Body

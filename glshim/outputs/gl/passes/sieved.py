@@ -15,7 +15,7 @@ from glshim.geometry.meshshaders.extent import Extent
 from glshim.geometry.meshshaders.sieve import EdgeSieve, TriangleSieve
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.outputs.gl.passes.uploads import Indices, delete, upload
+from glshim.outputs.gl.device.uploads import Indices, delete, upload
 from glshim.spec.driver import gl
 from glshim.styling.passes import Element, Sieve
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from importlib.resources import files
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.depth import UNIT, Box
-from glshim.outputs.gl.lines.canvas import Canvas
-from glshim.outputs.gl.passes.uploads import made
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.device.uploads import made
+from glshim.outputs.gl.frame.canvas import Canvas
+from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.spec.driver import gl
 
 _FRAMEBUFFER, _RENDERBUFFER, _COMPLETE = 0x8D40, 0x8D41, 0x8CD5

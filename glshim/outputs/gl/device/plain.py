@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from glshim.outputs.gl.guard import drain
+from glshim.outputs.gl.device.guard import drain
 from glshim.spec.driver import gl
 
 _OFF = (  # what would change or drop the ink: each is enabled by some app

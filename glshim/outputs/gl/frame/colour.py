@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 
 from glshim.notices import say_once
-from glshim.outputs.gl.depth import Box
+from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.ask import integer
 from glshim.spec.driver import gl
 

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.outputs.gl.guard import Guard, possible
-from glshim.outputs.gl.plain import plainly
+from glshim.outputs.gl.device.guard import Guard, possible
+from glshim.outputs.gl.device.plain import plainly
 from glshim.spec.ask import integer
 from glshim.spec.context import shortcoming
 from glshim.spec.driver import gl

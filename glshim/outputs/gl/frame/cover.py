@@ -10,8 +10,8 @@ from __future__ import annotations
 import ctypes
 from importlib.resources import files
 
-from glshim.outputs.gl.paint import Paint
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Colour
 

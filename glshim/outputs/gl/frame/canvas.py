@@ -10,9 +10,9 @@ from __future__ import annotations
 from importlib.resources import files
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.depth import Box
-from glshim.outputs.gl.passes.uploads import made
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.device.uploads import made
+from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.driver import gl
 
 _FRAMEBUFFER, _COLOUR_AT, _COMPLETE = 0x8D40, 0x8CE0, 0x8CD5

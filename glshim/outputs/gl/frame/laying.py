@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
-from glshim.outputs.gl.cameras import MOST_CLIP_PLANES, scissor
-from glshim.outputs.gl.depth import Box, DepthCopy
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor
+from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import gl
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import ctypes
 from importlib.resources import files
 
-from glshim.outputs.gl.programs import compiled
+from glshim.outputs.gl.device.programs import compiled
 from glshim.spec.ask import integer
 from glshim.spec.driver import gl
 

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.camera import Camera
-from glshim.outputs.gl.depth import UNIT as DEPTH_UNIT
-from glshim.outputs.gl.depth import DepthCopy
-from glshim.outputs.gl.sheet import SHEET
-from glshim.outputs.gl.textures import STROKE_UNIT
+from glshim.outputs.gl.device.textures import STROKE_UNIT
+from glshim.outputs.gl.frame.depth import UNIT as DEPTH_UNIT
+from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.sheet import SHEET
 from glshim.spec.driver import gl
 
 _STENCIL_TEST = 0x0B90

@@ -1,0 +1,1 @@
+"""GL objects and state: programs, buffers, textures, framebuffers of ours, and the state guard."""

@@ -1,0 +1,1 @@
+"""The app's own frame: read, covered while the app draws, and drawn over."""
