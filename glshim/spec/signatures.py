@@ -46,6 +46,7 @@ SIGNATURES: dict[str, str] = {
     "glDeleteFramebuffers": "ip",
     "glDeleteProgram": "u",
     "glDeleteQueries": "ip",
+    "glDeleteRenderbuffers": "ip",
     "glDeleteShader": "u",
     "glDeleteTextures": "ip",
     "glDeleteVertexArrays": "ip",

@@ -9,23 +9,32 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_PIXEL_UNPACK_BUFFER,
+    GL_PIXEL_UNPACK_BUFFER_BINDING,
+    GL_UNPACK_ALIGNMENT,
+    GL_UNPACK_LSB_FIRST,
+    GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SKIP_ROWS,
+)
 from glshim.spec.driver import gl
 
 _UNPACK = {
     name: (value, plain)
     for name, value, plain in (
-        ("lsb", 0x0CF1, 0), ("row_length", 0x0CF2, 0), ("skip_rows", 0x0CF3, 0),
-        ("skip_pixels", 0x0CF4, 0), ("alignment", 0x0CF5, 1),
+        ("lsb", GL_UNPACK_LSB_FIRST, 0), ("row_length", GL_UNPACK_ROW_LENGTH, 0),
+        ("skip_rows", GL_UNPACK_SKIP_ROWS, 0), ("skip_pixels", GL_UNPACK_SKIP_PIXELS, 0),
+        ("alignment", GL_UNPACK_ALIGNMENT, 1),
     )
 }  # fmt: skip
-_UNPACK_BUFFER_BINDING, _UNPACK_BUFFER = 0x88EF, 0x88EC
 Bits = NDArray[np.uint8]
 """(height, width), 0 or 1, the lowest row first."""
 
 
 def read(width: int, height: int, address: int) -> Bits | None:
     """The bits that glBitmap would take from an address; None for those in a buffer object."""
-    if integer(_UNPACK_BUFFER_BINDING):
+    if integer(GL_PIXEL_UNPACK_BUFFER_BINDING):
         return None
     state = {name: integer(value) for name, (value, _) in _UNPACK.items()}
     row = state["row_length"] or width
@@ -51,9 +60,9 @@ def magnified(bits: Bits, across: float, up: float) -> Bits:
 def draw(bits: Bits, origin: tuple[float, float], move: tuple[float, float]) -> None:
     """glBitmap of bits, whatever unpack state the program has set."""
     before = {value: integer(value) for value, _ in _UNPACK.values()}
-    buffer = integer(_UNPACK_BUFFER_BINDING)
+    buffer = integer(GL_PIXEL_UNPACK_BUFFER_BINDING)
     if buffer:
-        gl.glBindBuffer(_UNPACK_BUFFER, 0)
+        gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
     for value, plain in _UNPACK.values():
         gl.glPixelStorei(value, plain)
     packed = np.packbits(bits, axis=1).tobytes()
@@ -61,4 +70,4 @@ def draw(bits: Bits, origin: tuple[float, float], move: tuple[float, float]) -> 
     for value, number in before.items():
         gl.glPixelStorei(value, number)
     if buffer:
-        gl.glBindBuffer(_UNPACK_BUFFER, buffer)
+        gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer)

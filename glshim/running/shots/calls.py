@@ -16,19 +16,36 @@ from glshim.bindings.pyopengl.raw import Call
 from glshim.notices import say_once
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
-from glshim.running.shots.target import BOTH, COLOUR_AT, DRAW, DRAW_BINDING, READ_BINDING, Target
+from glshim.running.shots.target import Target
 from glshim.spec.ask import integer, reals
+from glshim.spec.constants import (
+    GL_ALIASED_LINE_WIDTH_RANGE,
+    GL_COLOR_ATTACHMENT0,
+    GL_CURRENT_RASTER_POSITION,
+    GL_DOUBLEBUFFER,
+    GL_DRAW_BUFFER,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_FRAMEBUFFER,
+    GL_LINE_STIPPLE_PATTERN,
+    GL_LINE_STIPPLE_REPEAT,
+    GL_LINE_WIDTH,
+    GL_POINT_SIZE,
+    GL_READ_BUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_SCISSOR_BOX,
+    GL_VIEWPORT,
+    GL_ZOOM_X,
+    GL_ZOOM_Y,
+)
 from glshim.spec.driver import gl
 from glshim.spec.pixels import ANSWERS, POSITIONS, PixelRole, Position, pixel_role
 
-_VIEWPORT, _SCISSOR_BOX, _LINE_WIDTH, _POINT_SIZE = 0x0BA2, 0x0C10, 0x0B21, 0x0B11
-_STIPPLE_REPEAT, _STIPPLE, _ZOOM, _RASTER_PLACE = 0x0B26, 0x0B25, (0x0D16, 0x0D17), 0x0B07
-_DRAW_BUFFER, _READ_BUFFER, _DOUBLE_BUFFER = 0x0C01, 0x0C02, 0x0C32
+_ZOOM = (GL_ZOOM_X, GL_ZOOM_Y)
 _MOST_STIPPLE = 256
-_WIDTHS = 0x846E  # of aliased lines: least and greatest
 
 
-class Surface(Protocol):
+class OpenTile(Protocol):
     """A tile being drawn."""
 
     mapping: Mapping
@@ -45,7 +62,7 @@ class Calls:
 
     def __init__(
         self,
-        current: Callable[[], Surface | None],
+        current: Callable[[], OpenTile | None],
         ahead: Callable[[], Mapping | None],
         settle: Callable[[], None],
     ) -> None:
@@ -86,7 +103,7 @@ class Calls:
             return self._ahead()
         self._settle()
         now = self._current()
-        if now is None or integer(DRAW_BINDING) != now.target.name:
+        if now is None or not now.target.is_drawn_to:
             return None
         return now.mapping
 
@@ -158,23 +175,27 @@ class Calls:
         if now is None or len(args) != 2:
             return real(*args)
         target, framebuffer = int(args[0]), int(args[1])
-        before = integer(DRAW_BINDING) == now.target.name
+        before = now.target.is_drawn_to
         result = real(target, now.target.name if framebuffer == now.home else framebuffer)
-        after = integer(DRAW_BINDING) == now.target.name
-        if target in (BOTH, DRAW) and before != after:
+        after = now.target.is_drawn_to
+        if target in (GL_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER) and before != after:
             convert(now.mapping if before else None, now.mapping if after else None)
         return result
 
     def _draw_buffer(self, real: Call, args: Any) -> Any:
-        return self._buffer(_DRAW_BUFFER, DRAW_BINDING, real, args)
-
-    def _read_buffer(self, real: Call, args: Any) -> Any:
-        return self._buffer(_READ_BUFFER, READ_BINDING, real, args)
-
-    def _buffer(self, which: int, binding: int, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
-        if now is None or len(args) != 1 or integer(binding) != now.target.name:
+        ours = now is not None and now.target.is_drawn_to
+        return self._buffer(now if ours else None, GL_DRAW_BUFFER, real, args)
+
+    def _read_buffer(self, real: Call, args: Any) -> Any:
+        self._settle()
+        now = self._current()
+        ours = now is not None and now.target.is_read
+        return self._buffer(now if ours else None, GL_READ_BUFFER, real, args)
+
+    def _buffer(self, now: OpenTile | None, which: int, real: Call, args: Any) -> Any:
+        if now is None or len(args) != 1:
             return real(*args)
         now.buffers[which] = int(args[0])
         return real(_attached(int(args[0])))
@@ -182,11 +203,11 @@ class Calls:
     def _buffers(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
-        if now is None or integer(DRAW_BINDING) != now.target.name or int(args[0]) != 1:
+        if now is None or not now.target.is_drawn_to or int(args[0]) != 1:
             return real(*args)
         address = address_of(args[1])
         asked = ctypes.c_uint.from_address(address).value if address else 0
-        now.buffers[_DRAW_BUFFER] = asked
+        now.buffers[GL_DRAW_BUFFER] = asked
         gl.glDrawBuffer(_attached(asked))
         return None
 
@@ -195,7 +216,7 @@ class Calls:
     def _reading(self, real: Call, args: Any) -> Any:
         self._settle()
         now = self._current()
-        if now is None or integer(READ_BINDING) != now.target.name:
+        if now is None or not now.target.is_read:
             return real(*args)
         with now.target.as_window(now.mapping):
             return real(*args)
@@ -217,8 +238,8 @@ class Calls:
         if now is None or len(args) != 10:
             return real(*args)
         corners = [int(a) for a in args[:8]]
-        for at, binding in ((0, READ_BINDING), (4, DRAW_BINDING)):
-            if integer(binding) == now.target.name:
+        for at, ours in ((0, now.target.is_read), (4, now.target.is_drawn_to)):
+            if ours:
                 for k in (at, at + 2):
                     corners[k : k + 2] = map(round, now.mapping.place(*corners[k : k + 2]))
         return real(*corners, *args[8:])
@@ -249,17 +270,18 @@ class Calls:
         return result
 
     def _answers(
-        self, now: Surface
+        self, now: OpenTile
     ) -> dict[int, tuple[int, Callable[[list[Any]], Any]]]:
         """By name how many values an answer has, and what they are for the program."""
         found: dict[int, tuple[int, Callable[[list[Any]], Any]]] = {
             binding: (1, lambda v: [now.home if int(v[0]) == now.target.name else v[0]])
-            for binding in (DRAW_BINDING, READ_BINDING)
+            for binding in (GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING)
         }
-        for name, binding in ((_DRAW_BUFFER, DRAW_BINDING), (_READ_BUFFER, READ_BINDING)):
-            if name in now.buffers and integer(binding) == now.target.name:
+        drawn_to = now.target.is_drawn_to
+        for name, ours in ((GL_DRAW_BUFFER, drawn_to), (GL_READ_BUFFER, now.target.is_read)):
+            if name in now.buffers and ours:
                 found[name] = (1, lambda v, name=name: [now.buffers[name]])  # type: ignore[misc]
-        if integer(DRAW_BINDING) != now.target.name:
+        if not drawn_to:
             return found
         mapping = now.mapping
 
@@ -270,13 +292,13 @@ class Calls:
             return [mapping.length_back(float(values[0]))]
 
         found |= {
-            _VIEWPORT: (4, rect), _SCISSOR_BOX: (4, rect),
-            _LINE_WIDTH: (1, length), _POINT_SIZE: (1, length),
-            _STIPPLE_REPEAT: (1, lambda v: [max(round(v[0] / mapping.scale), 1)]),
+            GL_VIEWPORT: (4, rect), GL_SCISSOR_BOX: (4, rect),
+            GL_LINE_WIDTH: (1, length), GL_POINT_SIZE: (1, length),
+            GL_LINE_STIPPLE_REPEAT: (1, lambda v: [max(round(v[0] / mapping.scale), 1)]),
             _ZOOM[0]: (1, lambda v: [v[0] / mapping.across]),
             _ZOOM[1]: (1, lambda v: [v[0] / mapping.up]),
-            _RASTER_PLACE: (4, lambda v: [*mapping.place_back(v[0], v[1]), *v[2:]]),
-            _DOUBLE_BUFFER: (1, lambda v: [int(now.double)]),
+            GL_CURRENT_RASTER_POSITION: (4, lambda v: [*mapping.place_back(v[0], v[1]), *v[2:]]),
+            GL_DOUBLEBUFFER: (1, lambda v: [int(now.double)]),
         }  # fmt: skip
         return found
 
@@ -289,18 +311,18 @@ _ELEMENTS: dict[str, Any] = {
 def convert(before: Mapping | None, after: Mapping | None) -> None:
     """Say the state that is in pixels anew: it was the driver's under one mapping (None: the
     program's own numbers) and shall be under another. The driver's current framebuffer stays."""
-    for name, say in ((_VIEWPORT, gl.glViewport), (_SCISSOR_BOX, gl.glScissor)):
+    for name, say in ((GL_VIEWPORT, gl.glViewport), (GL_SCISSOR_BOX, gl.glScissor)):
         values = (ctypes.c_int * 4)()
         gl.glGetIntegerv(name, ctypes.addressof(values))
         own = before.rect_back(list(values)) if before else tuple(values)
         say(*(after.rect(own) if after else own))
-    for name, say in ((_LINE_WIDTH, gl.glLineWidth), (_POINT_SIZE, gl.glPointSize)):
+    for name, say in ((GL_LINE_WIDTH, gl.glLineWidth), (GL_POINT_SIZE, gl.glPointSize)):
         value = reals(name, 1)[0]
         length = before.length_back(value) if before else value
-        if after and name == _LINE_WIDTH:
+        if after and name == GL_LINE_WIDTH:
             told_of_limit(after.length(length), asked=length != 1.0)
         say(after.length(length) if after else length)
-    repeat, pattern = integer(_STIPPLE_REPEAT), integer(_STIPPLE)
+    repeat, pattern = integer(GL_LINE_STIPPLE_REPEAT), integer(GL_LINE_STIPPLE_PATTERN)
     repeat = max(round(repeat / before.scale), 1) if before else repeat
     repeat = min(round(repeat * after.scale), _MOST_STIPPLE) if after else repeat
     gl.glLineStipple(max(repeat, 1), pattern & 0xFFFF)
@@ -314,7 +336,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
 
 def told_of_limit(width: float, *, asked: bool = True) -> None:
     """Say once when this GL has no lines of a width."""
-    most = reals(_WIDTHS, 2)[1]
+    most = reals(GL_ALIASED_LINE_WIDTH_RANGE, 2)[1]
     if asked and width > most:
         say_once(f"this GL has lines of {most:g} pixels at most: the program's own stay thinner")
 
@@ -340,4 +362,4 @@ def address_of(argument: Any) -> int:
 
 def _attached(buffer: int) -> int:
     """The target's buffer for one of the window: none stays none."""
-    return COLOUR_AT if buffer else 0
+    return GL_COLOR_ATTACHMENT0 if buffer else 0

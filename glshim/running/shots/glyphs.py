@@ -14,18 +14,53 @@ from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import Call, ground_function
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.outputs.gl.device.guard import Guard, possible
+from glshim.outputs.gl.device.target import RenderTarget
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
-from glshim.spec.ask import integer
+from glshim.spec.ask import integer, reals
+from glshim.spec.constants import (
+    GL_ALPHA_TEST,
+    GL_BLEND,
+    GL_CLIP_PLANE0,
+    GL_CLIP_PLANE1,
+    GL_CLIP_PLANE2,
+    GL_CLIP_PLANE3,
+    GL_CLIP_PLANE4,
+    GL_CLIP_PLANE5,
+    GL_COLOR_BUFFER_BIT,
+    GL_COLOR_LOGIC_OP,
+    GL_CURRENT_RASTER_POSITION,
+    GL_DEPTH_TEST,
+    GL_FOG,
+    GL_LIGHTING,
+    GL_PACK_ALIGNMENT,
+    GL_PACK_ROW_LENGTH,
+    GL_PACK_SKIP_PIXELS,
+    GL_PACK_SKIP_ROWS,
+    GL_PACK_SWAP_BYTES,
+    GL_PIXEL_PACK_BUFFER,
+    GL_PIXEL_PACK_BUFFER_BINDING,
+    GL_RGBA,
+    GL_RGBA8,
+    GL_SCISSOR_TEST,
+    GL_STENCIL_TEST,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
+    GL_UNSIGNED_BYTE,
+)
 from glshim.spec.driver import gl
 
-_FRAMEBUFFER, _RENDERBUFFER, _COLOUR_AT, _RGBA8 = 0x8D40, 0x8D41, 0x8CE0, 0x8058
 _SIZE, _MIDDLE = 128, 48
-_RASTER_PLACE = 0x0B07
-_OFF = (0x0BC0, 0x0BE2, 0x0B71, 0x0B90, 0x0C11, 0x0B60, 0x0B50, 0x0DE0, 0x0DE1, 0x0BF2, 0x3000,
-        0x3001, 0x3002, 0x3003, 0x3004, 0x3005)  # fmt: skip
-"""Alpha test, blending, depth test, stencil test, scissor, fog, lighting, textures, logic operation
-and clip planes."""
+_OFF = (
+    GL_ALPHA_TEST, GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_FOG, GL_LIGHTING,
+    GL_TEXTURE_1D, GL_TEXTURE_2D, GL_COLOR_LOGIC_OP, GL_CLIP_PLANE0, GL_CLIP_PLANE1,
+    GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5,
+)  # fmt: skip
+"""What would change or drop the pixels of a glyph."""
+_PACKING = (
+    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_ROW_LENGTH, 0), (GL_PACK_SKIP_ROWS, 0),
+    (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 1),
+)  # fmt: skip
 
 
 class Glyphs:
@@ -35,7 +70,7 @@ class Glyphs:
     def __init__(self, mapping: Callable[[], Mapping | None]) -> None:
         self._mapping = mapping
         self._known: dict[tuple[int, int], tuple[bitmaps.Bits, int, int, float, float]] = {}
-        self._framebuffer = 0
+        self._target = RenderTarget(buffers=(GL_RGBA8,))
 
     def install(self) -> None:
         """Hook it when it is imported."""
@@ -84,25 +119,25 @@ class Glyphs:
     def _look(self, font: Any, code: int) -> tuple[bitmaps.Bits, int, int, float, float]:
         """The bits of a glyph, where they begin beside the raster place, and how far that moves."""
         with Guard():
-            self._open()
+            self._target.fit(_SIZE, _SIZE)
+            self._target.bind()
             for switch in _OFF:
                 gl.glDisable(switch)
             gl.glUseProgram(0)
             gl.glColorMask(1, 1, 1, 1)
             gl.glClearColor(0.0, 0.0, 0.0, 0.0)
-            gl.glClear(0x4000)
+            gl.glClear(GL_COLOR_BUFFER_BIT)
             gl.glColor3f(1.0, 1.0, 1.0)
             gl.glWindowPos3f(float(_MIDDLE), float(_MIDDLE), 0.0)
             self._character(font, code)
-            place = (ctypes.c_float * 4)()
-            gl.glGetFloatv(_RASTER_PLACE, ctypes.addressof(place))
+            place = reals(GL_CURRENT_RASTER_POSITION, 4)
             pixels = ctypes.create_string_buffer(_SIZE * _SIZE * 4)
-            for name, plain in ((0x0D00, 0), (0x0D02, 0), (0x0D03, 0), (0x0D04, 0), (0x0D05, 1)):
+            for name, plain in _PACKING:
                 gl.glPixelStorei(name, plain)
-            buffer = integer(0x88ED)
-            gl.glBindBuffer(0x88EB, 0)
-            gl.glReadPixels(0, 0, _SIZE, _SIZE, 0x1908, 0x1401, pixels)
-            gl.glBindBuffer(0x88EB, buffer)
+            buffer = integer(GL_PIXEL_PACK_BUFFER_BINDING)
+            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
+            gl.glReadPixels(0, 0, _SIZE, _SIZE, GL_RGBA, GL_UNSIGNED_BYTE, pixels)
+            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer)
         seen = np.frombuffer(pixels.raw, np.uint8).reshape(_SIZE, _SIZE, 4)[..., 0] > 127
         rows, columns = (np.flatnonzero(seen.any(axis=k)) for k in (1, 0))
         move = place[0] - _MIDDLE, place[1] - _MIDDLE
@@ -110,18 +145,3 @@ class Glyphs:
             return np.zeros((0, 0), np.uint8), 0, 0, *move
         bits = seen[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1].astype(np.uint8)
         return bits, int(columns[0]) - _MIDDLE, int(rows[0]) - _MIDDLE, *move
-
-    def _open(self) -> None:
-        if self._framebuffer:
-            gl.glBindFramebuffer(_FRAMEBUFFER, self._framebuffer)
-            return
-        name = ctypes.c_uint()
-        gl.glGenFramebuffers(1, ctypes.addressof(name))
-        self._framebuffer = name.value
-        gl.glBindFramebuffer(_FRAMEBUFFER, name.value)
-        gl.glGenRenderbuffers(1, ctypes.addressof(name))
-        gl.glBindRenderbuffer(_RENDERBUFFER, name.value)
-        gl.glRenderbufferStorage(_RENDERBUFFER, _RGBA8, _SIZE, _SIZE)
-        gl.glFramebufferRenderbuffer(_FRAMEBUFFER, _COLOUR_AT, _RENDERBUFFER, name.value)
-        gl.glDrawBuffer(_COLOUR_AT)
-        gl.glReadBuffer(_COLOUR_AT)

@@ -20,14 +20,24 @@ from glshim.running.shots.calls import Calls, convert
 from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Plan, Size, Tile, tiles_of
-from glshim.running.shots.target import BOTH, DRAW, DRAW_BINDING, READ, READ_BINDING, Target
+from glshim.running.shots.target import Target
 from glshim.spec.ask import integer, integers
+from glshim.spec.constants import (
+    GL_DOUBLEBUFFER,
+    GL_DRAW_BUFFER,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_MAX_RENDERBUFFER_SIZE,
+    GL_MAX_TEXTURE_SIZE,
+    GL_MAX_VIEWPORT_DIMS,
+    GL_READ_BUFFER,
+    GL_READ_FRAMEBUFFER,
+    GL_VIEWPORT,
+)
 from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Styler, options_of
 from glshim.toolkits import frames
 
-_VIEWPORT, _DOUBLE_BUFFER, _DRAW_BUFFER, _READ_BUFFER = 0x0BA2, 0x0C32, 0x0C01, 0x0C02
-_MOST_VIEWPORT, _MOST_RENDERBUFFER, _MOST_TEXTURE = 0x0D3A, 0x84E8, 0x0D33
 _UNLIKE = 24
 """Levels of a channel by which pixels of two tiles differ where they were not drawn alike."""
 _BAND = 8
@@ -46,7 +56,7 @@ class Clock(Protocol):
 
 
 class Shot:
-    """A `calls.Surface`, and what listens to the ends of frames."""
+    """A `calls.OpenTile`, and what listens to the ends of frames."""
 
     def __init__(self, plan: Plan, clock: Clock) -> None:
         self.plan = plan
@@ -124,17 +134,17 @@ class Shot:
         """The window is known now: the frame that comes is the first tile."""
         window = self._window()
         sheet = self.plan.sheet_for(window)
-        most = integers(_MOST_VIEWPORT, 2)
+        most = integers(GL_MAX_VIEWPORT_DIMS, 2)
         if sheet[0] > most[0] or sheet[1] > most[1]:
             raise RenderError(
                 f"a picture of {sheet[0]}x{sheet[1]} pixels is larger than this GL can project to: "
                 f"at most {most[0]}x{most[1]} (its GL_MAX_VIEWPORT_DIMS)"
             )
         self._context = current_context()
-        self.home = frames.drawable_framebuffer() or integer(DRAW_BINDING)
-        self.double = bool(integer(_DOUBLE_BUFFER))
-        self.buffers = {name: integer(name) for name in (_DRAW_BUFFER, _READ_BUFFER)}
-        side = min(self.plan.tile, integer(_MOST_RENDERBUFFER), integer(_MOST_TEXTURE))
+        self.home = frames.drawable_framebuffer() or integer(GL_DRAW_FRAMEBUFFER_BINDING)
+        self.double = bool(integer(GL_DOUBLEBUFFER))
+        self.buffers = {name: integer(name) for name in (GL_DRAW_BUFFER, GL_READ_BUFFER)}
+        side = min(self.plan.tile, integer(GL_MAX_RENDERBUFFER_SIZE), integer(GL_MAX_TEXTURE_SIZE))
         self.mapping = Mapping(window, sheet, (0, 0))
         self._left = tiles_of(sheet, self.mapping.scale, side)
         if len(self._left) > 1:  # the first once more, to see whether the program stands still
@@ -162,12 +172,12 @@ class Shot:
     def _next(self) -> None:
         """The frame that comes is the next tile."""
         tile = self._left.pop(0)
-        fresh = integer(DRAW_BINDING) != self.target.name
+        fresh = not self.target.is_drawn_to
         before = None if fresh else self.mapping
         self.mapping = Mapping(self.mapping.window, self.mapping.sheet, (tile.x, tile.y))
         convert(before, self.mapping)
         if fresh:
-            gl.glBindFramebuffer(BOTH, self.target.name)
+            self.target.bind()
         SHEET.origin = (float(tile.x), float(tile.y))
         self._tile, self._settled = tile, False
 
@@ -209,11 +219,12 @@ class Shot:
     def _close(self) -> None:
         """Leave the driver as the program thinks it to be."""
         if self.target is not None and self._context == current_context():
-            if integer(DRAW_BINDING) == self.target.name:
+            if self.target.is_drawn_to:
                 convert(self.mapping, None)
-                gl.glBindFramebuffer(DRAW, self.home)
-            if integer(READ_BINDING) == self.target.name:
-                gl.glBindFramebuffer(READ, self.home)
+                gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, self.home)
+            if self.target.is_read:
+                gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, self.home)
+            self.target.release()
         self._tile, self.target = None, None
         self._clock.held = False
 
@@ -236,11 +247,12 @@ class Shot:
         if current_context() != self._context:
             self._settled = False
             return
-        if integer(DRAW_BINDING) == self.home:  # Qt binds its own before it has a widget painted
+        # Qt binds its own before it has a widget painted.
+        if integer(GL_DRAW_FRAMEBUFFER_BINDING) == self.home:
             convert(None, self.mapping)
-            gl.glBindFramebuffer(BOTH, self.target.name)
+            self.target.bind()
             return
-        box = integers(_VIEWPORT, 4)
+        box = integers(GL_VIEWPORT, 4)
         if not self.mapping.knows(box):
             gl.glViewport(*self.mapping.rect(box))
 
@@ -258,7 +270,7 @@ class Shot:
     def _mapping(self) -> Mapping | None:
         """The mapping for what is drawn to the window now."""
         now = self._current()
-        if now is None or integer(DRAW_BINDING) != self.target.name:
+        if now is None or not self.target.is_drawn_to:
             return None
         return now.mapping
 
@@ -267,7 +279,7 @@ class Shot:
         size = frames.drawable_size()
         if size is not None and min(size) > 0:
             return size
-        _, _, width, height = integers(_VIEWPORT, 4)
+        _, _, width, height = integers(GL_VIEWPORT, 4)
         return width, height
 
 

@@ -26,10 +26,41 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
+from glshim.outputs.gl.device.names import made
+from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
 from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.outputs.gl.frame.laying import triangles
 from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_ARRAY_BUFFER,
+    GL_CLIP_PLANE0,
+    GL_COLOR,
+    GL_DEPTH_BUFFER_BIT,
+    GL_DEPTH_COMPONENT32F,
+    GL_DEPTH_TEST,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_FLOAT,
+    GL_GREATER,
+    GL_LESS,
+    GL_PACK_ALIGNMENT,
+    GL_PACK_ROW_LENGTH,
+    GL_PACK_SKIP_PIXELS,
+    GL_PACK_SKIP_ROWS,
+    GL_PACK_SWAP_BYTES,
+    GL_PIXEL_PACK_BUFFER,
+    GL_READ_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_RG32UI,
+    GL_RG_INTEGER,
+    GL_RGBA32UI,
+    GL_SCISSOR_TEST,
+    GL_TEXTURE0,
+    GL_TEXTURE_2D,
+    GL_TRIANGLES,
+    GL_UNSIGNED_INT,
+)
 from glshim.spec.driver import gl
 from glshim.styling.values import Item
 
@@ -39,19 +70,10 @@ _MOST_TRIANGLES, _MOST_PIXELS = 1 << 30, 1 << 24
 _FRONT = 1 << 31
 """What the shader adds to the numbers of triangles that face the viewer."""
 _UNIT = 12
-_FRAMEBUFFER, _DRAW, _READ = 0x8D40, 0x8CA9, 0x8CA8
-_DRAW_BINDING, _READ_BINDING = 0x8CA6, 0x8CAA
-_COLOUR_AT, _DEPTH_AT, _COMPLETE = 0x8CE0, 0x8D00, 0x8CD5
-_RENDERBUFFER, _DEPTH_32F = 0x8D41, 0x8CAC
-_TEXTURE_0, _TEXTURE_2D, _ARRAY_BUFFER = 0x84C0, 0x0DE1, 0x8892
-_PACK_BUFFER, _UNPACK_BUFFER = 0x88EB, 0x88EC
-_RGBA_32UI, _RG_32UI, _RGBA_INTEGER, _RG_INTEGER = 0x8D70, 0x823C, 0x8D99, 0x8228
-_FLOAT, _UNSIGNED_INT, _TRIANGLES, _COLOUR = 0x1406, 0x1405, 0x0004, 0x1800
-_LESS, _GREATER, _DEPTH_BUFFER = 0x0201, 0x0204, 0x0100
-_DEPTH_TEST, _SCISSOR_TEST, _CLIP_PLANE = 0x0B71, 0x0C11, 0x3000
-_NEAREST = ((0x2801, 0x2600), (0x2800, 0x2600))
-_PACKING = ((0x0D00, 0), (0x0D02, 0), (0x0D03, 0), (0x0D04, 0), (0x0D05, 4))
-
+_PACKING = (
+    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_ROW_LENGTH, 0), (GL_PACK_SKIP_ROWS, 0),
+    (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 4),
+)  # fmt: skip
 Floats = NDArray[np.float32]
 
 
@@ -145,11 +167,12 @@ class Crossings:
         self._programs: dict[tuple[int, bool], dict[str, Any]] = {}
         self._ring: Any = None
         self._last: tuple[Hashable, Indices, Floats] | None = None
-        self._size = (0, 0)
-        self._framebuffers = tuple(_name("glGenFramebuffers") for _ in range(2))
-        self._textures = tuple(_name("glGenTextures") for _ in range(2))
-        self._depth = _name("glGenRenderbuffers")
-        self._array = _name("glGenVertexArrays")
+        self._targets = tuple(
+            RenderTarget(kind, (GL_DEPTH_COMPONENT32F,), unit=_UNIT)
+            for kind in (GL_RGBA32UI, GL_RG32UI)
+        )
+        """Of both passes."""
+        self._array = made("glGenVertexArrays")
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -246,24 +269,25 @@ class Crossings:
     ) -> Indices:
         """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
         `_FRONT` where they face the viewer."""
-        draw, read = integer(_DRAW_BINDING), integer(_READ_BINDING)
-        gl.glActiveTexture(_TEXTURE_0 + _UNIT)
-        self._fit(*box[2:])
-        gl.glEnable(_DEPTH_TEST)
+        draw, read = integer(GL_DRAW_FRAMEBUFFER_BINDING), integer(GL_READ_FRAMEBUFFER_BINDING)
+        for target in self._targets:
+            target.fit(*box[2:])
+        gl.glActiveTexture(GL_TEXTURE0 + _UNIT)
+        gl.glEnable(GL_DEPTH_TEST)
         gl.glDepthMask(1)
-        gl.glDepthFunc(_GREATER if greater else _LESS)
+        gl.glDepthFunc(GL_GREATER if greater else GL_LESS)
         gl.glClearDepth(0.0 if greater else 1.0)
         gl.glBindVertexArray(self._array)
         gl.glEnableVertexAttribArray(0)
         planes = camera.clip_planes[:MOST_CLIP_PLANES]
         for plane in range(len(planes)):
-            gl.glEnable(_CLIP_PLANE + plane)
+            gl.glEnable(GL_CLIP_PLANE0 + plane)
         nothing = (ctypes.c_uint * 4)()
-        for trap, framebuffer in enumerate(self._framebuffers):
-            gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
-            gl.glDisable(_SCISSOR_TEST)
-            gl.glClear(_DEPTH_BUFFER)
-            gl.glClearBufferuiv(_COLOUR, 0, ctypes.addressof(nothing))
+        for trap, target in enumerate(self._targets):
+            target.bind()
+            gl.glDisable(GL_SCISSOR_TEST)
+            gl.glClear(GL_DEPTH_BUFFER_BIT)
+            gl.glClearBufferuiv(GL_COLOR, 0, ctypes.addressof(nothing))
             _place(camera, box)
             program = self._program(len(planes), bool(trap))
             gl.glUseProgram(program["glo"])
@@ -272,55 +296,33 @@ class Crossings:
             if trap:
                 program["seen"].value = _UNIT
                 program["away"].value = -1.0 if greater else 1.0
-                gl.glBindTexture(_TEXTURE_2D, self._textures[0])
+                self._targets[0].bind_texture()
             else:
                 program["finished"].value = UNIT
                 program["corner_at"].value = box[:2]
                 program["hair"].value = hair_of(bits) if bits else -1.0
-                gl.glBindTexture(_TEXTURE_2D, 0)
+                gl.glBindTexture(GL_TEXTURE_2D, 0)
             for chunk, first in zip(scene.chunks, scene.first.tolist(), strict=False):
                 _write(program, "modelview", chunk.modelview.T)
                 program["first_triangle"].value = first
-                gl.glBindBuffer(_ARRAY_BUFFER, chunk.buffer)
-                gl.glVertexAttribPointer(0, 3, _FLOAT, 0, 12, chunk.offset)
-                gl.glDrawArrays(_TRIANGLES, 0, 3 * len(chunk.corners))
+                gl.glBindBuffer(GL_ARRAY_BUFFER, chunk.buffer)
+                gl.glVertexAttribPointer(0, 3, GL_FLOAT, 0, 12, chunk.offset)
+                gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(chunk.corners))
         noted = np.empty((box[2] * box[3], 2), np.uint32)
-        gl.glBindBuffer(_PACK_BUFFER, 0)
+        gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
         for name, value in _PACKING:
             gl.glPixelStorei(name, value)
-        gl.glReadPixels(0, 0, *box[2:], _RG_INTEGER, _UNSIGNED_INT, noted.ctypes.data)
-        gl.glBindFramebuffer(_DRAW, draw)
-        gl.glBindFramebuffer(_READ, read)
-        gl.glDisable(_DEPTH_TEST)
+        gl.glReadPixels(0, 0, *box[2:], GL_RG_INTEGER, GL_UNSIGNED_INT, noted.ctypes.data)
+        gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw)
+        gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, read)
+        gl.glDisable(GL_DEPTH_TEST)
         gl.glDepthMask(0)
-        gl.glEnable(_SCISSOR_TEST)
+        gl.glEnable(GL_SCISSOR_TEST)
         for plane in range(len(planes)):
-            gl.glDisable(_CLIP_PLANE + plane)
+            gl.glDisable(GL_CLIP_PLANE0 + plane)
         code = noted.view(np.uint64)[:, 0]
         code = crossings.distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
-
-    def _fit(self, width: int, height: int) -> None:
-        """Both framebuffers, at least so large."""
-        if width <= self._size[0] and height <= self._size[1]:
-            return
-        self._size = (max(width, self._size[0]), max(height, self._size[1]))
-        gl.glBindBuffer(_UNPACK_BUFFER, 0)
-        gl.glBindRenderbuffer(_RENDERBUFFER, self._depth)
-        gl.glRenderbufferStorage(_RENDERBUFFER, _DEPTH_32F, *self._size)
-        kinds = (_RGBA_32UI, _RGBA_INTEGER), (_RG_32UI, _RG_INTEGER)
-        for framebuffer, texture, (kind, layout) in zip(
-            self._framebuffers, self._textures, kinds, strict=True
-        ):
-            gl.glBindTexture(_TEXTURE_2D, texture)
-            for parameter, value in _NEAREST:
-                gl.glTexParameteri(_TEXTURE_2D, parameter, value)
-            gl.glTexImage2D(_TEXTURE_2D, 0, kind, *self._size, 0, layout, _UNSIGNED_INT, None)
-            gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
-            gl.glFramebufferTexture2D(_FRAMEBUFFER, _COLOUR_AT, _TEXTURE_2D, texture, 0)
-            gl.glFramebufferRenderbuffer(_FRAMEBUFFER, _DEPTH_AT, _RENDERBUFFER, self._depth)
-            if gl.glCheckFramebufferStatus(_FRAMEBUFFER) != _COMPLETE:
-                raise RenderError("no framebuffer of numbers can be made: no intersections")
 
     def _program(self, planes: int, trap: bool) -> dict[str, Any]:
         """The program's uniforms by name, and its own name as ``glo``."""
@@ -366,7 +368,7 @@ def _place(camera: Camera, box: Box) -> None:
     """Viewport, depth range and scissor of a camera, in a framebuffer that holds a box."""
     x, y = box[:2]
     left, low, across, up = camera.viewport
-    gl.glEnable(_SCISSOR_TEST)
+    gl.glEnable(GL_SCISSOR_TEST)
     scissor(camera, box, (x, y))
     gl.glViewport(left - x, low - y, across, up)
     gl.glDepthRange(*camera.depth_range)
@@ -376,9 +378,3 @@ def _write(program: dict[str, Any], name: str, value: NDArray[np.float64]) -> No
     found = program.get(name)
     if found is not None:
         found.write(np.ascontiguousarray(value, np.float32))
-
-
-def _name(make: str) -> int:
-    value = ctypes.c_uint()
-    getattr(gl, make)(1, ctypes.addressof(value))
-    return value.value

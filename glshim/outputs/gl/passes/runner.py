@@ -126,7 +126,7 @@ class Runner:
         if self._gbuffer is None:
             self._gbuffer = GBuffer()
         self._gbuffer.open(box, greater=greater)
-        self._gbuffer.bind()
+        self._gbuffer.bind_texture()
 
     def varyings(
         self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
