@@ -10,116 +10,70 @@ Names are loaded when first used, so that importing the package costs next to no
 """
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from glshim.errors import (
-        EnvironmentFault,
-        GlshimError,
-        RenderError,
-        StyleError,
-        UnknownNameError,
-    )
-    from glshim.geometry.crease.creases import Criterion
-    from glshim.geometry.meshshaders.poses import Keyframes, Skin
-    from glshim.model.batch import PolygonBatch
-    from glshim.model.camera import Camera
-    from glshim.pipeline import install, uninstall
-    from glshim.styling.fixed import BackFaces
-    from glshim.styling.lines import Draw, Expansion, Lines, Medium, Shader
-    from glshim.styling.passes import (
-        HEADLIGHT,
-        MeshShader,
-        Pass,
-        Primitives,
-        Sieve,
-        State,
-        Stencil,
-        Weld,
-        bodies,
-    )
-    from glshim.styling.pictures import Image, read_image
-    from glshim.styling.protocol import Option, Styler, option, options_of
-    from glshim.styling.texts import parse_style
-    from glshim.styling.values import Body, Colour, Layer, Uniform
-    from glshim.styling.wishes import Choice, Features, Pattern
+if TYPE_CHECKING:  # the same once more, for those who check types
+    from glshim.errors import EnvironmentFault as EnvironmentFault
+    from glshim.errors import GlshimError as GlshimError
+    from glshim.errors import RenderError as RenderError
+    from glshim.errors import StyleError as StyleError
+    from glshim.errors import UnknownNameError as UnknownNameError
+    from glshim.geometry.crease.creases import Criterion as Criterion
+    from glshim.geometry.meshshaders.poses import Keyframes as Keyframes
+    from glshim.geometry.meshshaders.poses import Skin as Skin
+    from glshim.model.batch import PolygonBatch as PolygonBatch
+    from glshim.model.camera import Camera as Camera
+    from glshim.pipeline import install as install
+    from glshim.pipeline import uninstall as uninstall
+    from glshim.styling.fixed import BackFaces as BackFaces
+    from glshim.styling.lines import Draw as Draw
+    from glshim.styling.lines import Expansion as Expansion
+    from glshim.styling.lines import Lines as Lines
+    from glshim.styling.lines import Medium as Medium
+    from glshim.styling.lines import Shader as Shader
+    from glshim.styling.passes import HEADLIGHT as HEADLIGHT
+    from glshim.styling.passes import MeshShader as MeshShader
+    from glshim.styling.passes import Pass as Pass
+    from glshim.styling.passes import Primitives as Primitives
+    from glshim.styling.passes import Sieve as Sieve
+    from glshim.styling.passes import State as State
+    from glshim.styling.passes import Stencil as Stencil
+    from glshim.styling.passes import Weld as Weld
+    from glshim.styling.passes import bodies as bodies
+    from glshim.styling.pictures import Image as Image
+    from glshim.styling.pictures import read_image as read_image
+    from glshim.styling.protocol import Option as Option
+    from glshim.styling.protocol import Styler as Styler
+    from glshim.styling.protocol import option as option
+    from glshim.styling.protocol import options_of as options_of
+    from glshim.styling.texts import parse_style as parse_style
+    from glshim.styling.values import Body as Body
+    from glshim.styling.values import Colour as Colour
+    from glshim.styling.values import Layer as Layer
+    from glshim.styling.values import Uniform as Uniform
+    from glshim.styling.wishes import Choice as Choice
+    from glshim.styling.wishes import Features as Features
+    from glshim.styling.wishes import Pattern as Pattern
 
 _HOMES = {
-    "glshim.pipeline": ("install", "uninstall"),
-    "glshim.styling.texts": ("parse_style",),
-    "glshim.model.batch": ("PolygonBatch",),
-    "glshim.model.camera": ("Camera",),
-    "glshim.geometry.crease.creases": ("Criterion",),
-    "glshim.geometry.meshshaders.poses": ("Keyframes", "Skin"),
-    "glshim.styling.fixed": ("BackFaces",),
-    "glshim.styling.lines": ("Draw", "Expansion", "Lines", "Medium", "Shader"),
-    "glshim.styling.passes": (
-        "HEADLIGHT",
-        "MeshShader",
-        "Pass",
-        "Primitives",
-        "Sieve",
-        "State",
-        "Stencil",
-        "Weld",
-        "bodies",
-    ),
-    "glshim.styling.pictures": ("Image", "read_image"),
-    "glshim.styling.protocol": ("Option", "Styler", "option", "options_of"),
-    "glshim.styling.values": ("Body", "Colour", "Layer", "Uniform"),
-    "glshim.styling.wishes": ("Choice", "Features", "Pattern"),
-    "glshim.errors": (
-        "EnvironmentFault",
-        "GlshimError",
-        "RenderError",
-        "StyleError",
-        "UnknownNameError",
-    ),
-}
-_HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
+    "glshim.errors": "EnvironmentFault GlshimError RenderError StyleError UnknownNameError",
+    "glshim.geometry.crease.creases": "Criterion",
+    "glshim.geometry.meshshaders.poses": "Keyframes Skin",
+    "glshim.model.batch": "PolygonBatch",
+    "glshim.model.camera": "Camera",
+    "glshim.pipeline": "install uninstall",
+    "glshim.styling.fixed": "BackFaces",
+    "glshim.styling.lines": "Draw Expansion Lines Medium Shader",
+    "glshim.styling.passes": "HEADLIGHT MeshShader Pass Primitives Sieve State Stencil Weld bodies",
+    "glshim.styling.pictures": "Image read_image",
+    "glshim.styling.protocol": "Option Styler option options_of",
+    "glshim.styling.texts": "parse_style",
+    "glshim.styling.values": "Body Colour Layer Uniform",
+    "glshim.styling.wishes": "Choice Features Pattern",
+}  # fmt: skip
+"""The public names by the module that each is loaded from."""
+_HOME_OF = {name: home for home, names in _HOMES.items() for name in names.split()}
 
 __version__ = "0.1.0"
-__all__ = [
-    "HEADLIGHT",
-    "BackFaces",
-    "Body",
-    "Camera",
-    "Choice",
-    "Colour",
-    "Criterion",
-    "Draw",
-    "EnvironmentFault",
-    "Expansion",
-    "Features",
-    "GlshimError",
-    "Image",
-    "Keyframes",
-    "Layer",
-    "Lines",
-    "Medium",
-    "MeshShader",
-    "Option",
-    "Pass",
-    "Pattern",
-    "PolygonBatch",
-    "Primitives",
-    "RenderError",
-    "Shader",
-    "Sieve",
-    "Skin",
-    "State",
-    "Stencil",
-    "StyleError",
-    "Styler",
-    "Uniform",
-    "UnknownNameError",
-    "Weld",
-    "bodies",
-    "install",
-    "option",
-    "options_of",
-    "parse_style",
-    "read_image",
-    "uninstall",
-]
+__all__ = list(_HOME_OF)
 
 
 def __getattr__(name: str) -> object:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import shutil
 import subprocess
 import sys
+import tarfile
 import venv
 import zipfile
 from collections.abc import Iterator
@@ -19,6 +21,14 @@ from glshim.bindings import imports
 from glshim.running import launch
 
 ROOT = Path(__file__).parents[2]
+PACKAGES = ("glshim", "stylers", "demo_apps")
+BESIDE_CODE = {
+    str(path.relative_to(ROOT))
+    for package in PACKAGES
+    for path in (ROOT / package).rglob("*")
+    if path.suffix in (".glsl", ".toml", ".html", ".css", ".gcode", ".typed")
+}
+"""Files that the code reads when it runs."""
 LOADED = "import sys; print(*sorted(m for m in sys.modules if m.startswith(('glshim', '_glshim'))))"
 
 
@@ -59,6 +69,23 @@ def test_every_public_name_is_there() -> None:
         _ = glshim.nonsense
 
 
+def test_checkers_of_types_see_the_same_names_from_the_same_homes() -> None:
+    import glshim
+
+    tree = ast.parse((ROOT / "glshim" / "__init__.py").read_text(encoding="utf-8"))
+    seen = {
+        alias.asname: node.module
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom) and node.module != "importlib"
+        for alias in node.names
+        if alias.name == alias.asname
+    }
+    assert seen == glshim._HOME_OF
+    for name, home in seen.items():
+        value = getattr(glshim, name)
+        assert getattr(value, "__module__", home) in (home, "builtins", "typing", "types"), name
+
+
 @pytest.mark.parametrize("module", ["OpenGL.GL", "OpenGL.GLUT", "OpenGL.raw.GL.VERSION.GL_1_1"])
 def test_a_style_comes_with_pyopengl(module: str) -> None:
     assert "glshim.pipeline" in loaded(f"import {module}", GLSHIM_STYLE="raskar")
@@ -97,7 +124,8 @@ def test_the_startup_files_hold_what_python_asks_of_them() -> None:
 
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The wheel of a copy of the sources, and the editable one, as pip builds them."""
+    """The wheel of a copy of the sources, and the editable one with the archive of sources beside
+    it, as pip builds them."""
     folder = tmp_path_factory.mktemp("wheels")
     source = folder / "source"
     ignored = shutil.ignore_patterns(".git", ".venv", "build", "out", "*.egg-info", ".*_cache")
@@ -105,11 +133,11 @@ def wheels(tmp_path_factory: pytest.TempPathFactory) -> Path:
     build = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w"]
     subprocess.run([*build, str(folder), str(source)], check=True)
     code = (
-        "import sys; sys.path.insert(0, 'scripts'); import build_backend; "
-        "build_backend.build_editable(sys.argv[1])"
+        "import sys; sys.path.insert(0, 'scripts'); import build_backend; folder = sys.argv[1]; "
+        "build_backend.build_editable(folder); build_backend.build_sdist(folder)"
     )
     (folder / "editable").mkdir()
-    # pip has no command that only builds an editable wheel; this hook is what it calls.
+    # pip has no command that only builds these; the hooks are what it calls.
     hook = [sys.executable, "-c", code, str(folder / "editable")]
     subprocess.run(hook, cwd=source, check=True, capture_output=True)
     return folder
@@ -128,7 +156,7 @@ def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path)
         listed = {line.split(",")[0] for line in archive.read(record).decode().splitlines()}
     assert listed == names
     assert {"glshim.pth", "glshim.start", "_glshim_start.py", "glshim/py.typed"} <= names
-    assert any(name.endswith(".glsl") for name in names)
+    assert names >= BESIDE_CODE
     assert not any(name.startswith("tests") for name in names)
     for variables, expected in (({}, False), ({"GLSHIM_STYLE": "raskar"}, True)):
         done = subprocess.run(
@@ -137,6 +165,13 @@ def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path)
         )  # fmt: skip
         assert ("glshim.running.startup" in done.stdout.split()) == expected
         assert done.stderr == ""
+
+
+def test_the_archive_of_sources_holds_what_lies_beside_code(wheels: Path) -> None:
+    (path,) = (wheels / "editable").glob("*.tar.gz")
+    with tarfile.open(path) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    assert names >= BESIDE_CODE | {"glshim.pth", "glshim.start", "scripts/build_backend.py"}
 
 
 def test_an_editable_wheel_carries_the_startup_files_too(wheels: Path) -> None:

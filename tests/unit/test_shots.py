@@ -7,9 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.commands.gallery import all_styles
 from glshim.errors import StyleError
-from glshim.running.gallery.tiles import file_names
 from glshim.running.shots.bitmaps import magnified
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
@@ -109,16 +107,3 @@ def test_lengths_in_pixels_grow_past_their_range_and_nothing_else_does() -> None
         for option in options_of(type(styler)):
             before, after = getattr(styler, option.name), getattr(larger, option.name)
             assert after == (before * 100.0 if option.unit == "px" else before), option.name
-
-
-def test_every_style_is_there_once_and_the_plain_one_first() -> None:
-    styles = all_styles()
-    assert styles[0] == "none" and len(set(styles)) == len(styles)
-    assert {"raskar", "edge_mesh", "watercolour"} <= set(styles)
-
-
-def test_pictures_have_names_of_their_own() -> None:
-    texts = ["raskar:a=1", "raskar:a,1", "raskar_a_1", "../x/raskar.toml", "raskar", "::"]
-    names = file_names(texts)
-    assert len(set(names)) == len(texts)
-    assert all("/" not in name and name.endswith(".png") for name in names)

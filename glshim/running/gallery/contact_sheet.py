@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
+from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.tiles import Tile
 
 _WIDTH = 400
@@ -51,15 +52,9 @@ def _paragraph(
     """Text from a place on, in lines of a width, and no more of them than there may be."""
     x, y, width = box
     font = ImageFont.load_default(size)
-    lines = [""]
-    for word in text.split():
-        longer = f"{lines[-1]} {word}".strip()
-        if pen.textlength(longer, font) <= width:
-            lines[-1] = longer
-        else:
-            lines.append(word)
-    shown = [line for line in lines if line][:most]
-    if shown and (len(lines) > most or pen.textlength(shown[-1], font) > width):
+    lines = wrapped(" ".join(text.split()), lambda line: pen.textlength(line, font), width)
+    shown = lines[:most]
+    if len(lines) > most or pen.textlength(shown[-1], font) > width:
         shown[-1] += " ..."
     for number, line in enumerate(shown):
         fitting = line

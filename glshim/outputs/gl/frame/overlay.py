@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
+from glshim.outputs.wrapping import wrapped
 from glshim.spec.ask import integer
 from glshim.spec.context import shortcoming
 from glshim.spec.driver import gl
@@ -45,31 +46,23 @@ def panel(lines: Sequence[str], most_width: int) -> NDArray[np.uint8]:
 
     font = ImageFont.load_default(_SIZE)
     room = max(most_width - 2 * (MARGIN + PADDING), 40)
-    wrapped = [(part, i) for i, line in enumerate(lines) for part in _wrapped(line, font, room)]
+    rows = [
+        (part, number)
+        for number, line in enumerate(lines)
+        for part in wrapped(line, font.getlength, room)
+    ]
     ascent, descent = font.getmetrics()  # type: ignore[union-attr]
     step = ascent + descent + 3
-    width = max((int(font.getlength(text)) + 1 for text, _ in wrapped), default=1)
-    size = (width + 2 * PADDING, step * len(wrapped) - 3 + 2 * PADDING)
+    width = max((int(font.getlength(text)) + 1 for text, _ in rows), default=1)
+    size = (width + 2 * PADDING, step * len(rows) - 3 + 2 * PADDING)
     image = Image.new("RGBA", size, _PAPER)
     draw = ImageDraw.Draw(image)
-    for row, (text, line) in enumerate(wrapped):
+    for row, (text, line) in enumerate(rows):
         ink = _FAINT if line else _INK
         draw.text((PADDING, PADDING + row * step), text, font=font, fill=ink)
     pixels = np.array(image, np.uint8)
     pixels[..., :3] = np.rint(pixels[..., :3] * (pixels[..., 3:] / 255.0))
     return pixels
-
-
-def _wrapped(line: str, font: object, room: int) -> list[str]:
-    """A line in as many as it takes, parted at spaces."""
-    found: list[str] = []
-    for word in line.split(" "):
-        longer = f"{found[-1]} {word}" if found else word
-        if found and font.getlength(longer) <= room:  # type: ignore[attr-defined]
-            found[-1] = longer
-        else:
-            found.append(word)
-    return found
 
 
 def show(pixels: NDArray[np.uint8], size: tuple[int, int] | None, framebuffer: int) -> None:
