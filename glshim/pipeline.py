@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from glshim import toolkits
 from glshim.bindings.pyopengl.clibraries import C_LIBRARIES
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.bindings.pyopengl.recorder import RECORDER
@@ -24,7 +25,7 @@ from glshim.sources.scene import Scene, say_unstyled
 from glshim.spec.ask import integer
 from glshim.spec.driver import current_context
 from glshim.styling.protocol import BackFaces, Layer, Lines, Pass, Styler
-from glshim.toolkits import frames
+from glshim.toolkits import Part, frames
 
 _DOUBLE_BUFFER = 0x0C32
 
@@ -61,10 +62,11 @@ class Pipeline:
         """Whether another style may come: a fault ends the one that it befell, not the following.
         """
         self.counted = Counted()
-        """The frame so far; whole when its listeners of a higher rank are called."""
+        """The frame so far; whole when the listeners of later stages are called."""
         self._surface = Surface()
         self._follower = Follower(self)
         self._broken = False
+        self._listener: frames.Listener | None = None
         self._next: tuple[Styler | None] | None = None
 
     # -- life ------------------------------------------------------------------------------------
@@ -78,7 +80,10 @@ class Pipeline:
         """Follow from now on."""
         WATCH.attach(self._follower)
         C_LIBRARIES.attach(self._follower)
-        frames.install(self._follower.finish_frame, self._frame_over)
+        self._listener = frames.listen(
+            frames.Stage.DRAW, before=self._follower.finish_frame, after=self._frame_over
+        )
+        toolkits.watch(Part.FRAMES)
 
     def wear(self, styler: Styler | None) -> None:
         """Draw in this style from now on; what is pending is dropped."""
@@ -107,7 +112,8 @@ class Pipeline:
 
     def stop(self) -> None:
         """Follow no more; what is pending is dropped."""
-        frames.uninstall(self._follower.finish_frame)
+        if self._listener is not None:
+            self._listener.stop()
         C_LIBRARIES.detach()
         WATCH.detach()
         self._surface.uncover()
@@ -250,7 +256,7 @@ def current() -> Styler | None:
 
 
 def counted() -> Counted:
-    """What the frame that ends now is made of: for listeners of frame ends, of rank 1 or more."""
+    """What the frame that ends now is made of: for who listens to frame ends after `Stage.DRAW`."""
     return _current.counted if _current is not None else Counted()
 
 
@@ -271,3 +277,4 @@ def uninstall() -> None:
         WATCH.uninstall()
         RECORDER.uninstall()
         RAW.uninstall()
+    toolkits.release()

@@ -11,12 +11,14 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import ClassVar
 
+from glshim import toolkits
 from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import environment, launch, probe, startup_cost
 from glshim.running.headless import virtual_screen
 from glshim.spec.context import UNAVAILABLE
 from glshim.styling import registry, texts
+from glshim.toolkits import Part
 
 _SCREENS = ("DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM")
 """Variables of others that say where a window opens."""
@@ -28,8 +30,6 @@ _LIBRARIES = {
     "GLUT": "libglut-dev, since PyOpenGL does not find libglut.so.3.12",
     "GLE": "libgle3",
 }
-_DISTRIBUTIONS = {"OpenGL": "PyOpenGL", "sdl2": "PySDL2", "wx": "wxPython"}
-"""By package, where the names differ."""
 
 
 class Doctor(Command):
@@ -146,23 +146,22 @@ def _context(headless: bool, troubles: list[str]) -> None:
 
 
 def _toolkits() -> None:
-    from glshim.toolkits.toolkits import TOOLKITS  # which loads the hooks
-
     _heading("toolkits")
-    packages: dict[str, list[str]] = {}
-    for toolkit in TOOLKITS:
-        package = toolkit.module.partition(".")[0]
-        rows = packages.setdefault(package, [])
-        how = f"{toolkit.name}: {toolkit.how}" if package == "OpenGL" else toolkit.how
-        if how not in rows:
-            rows.append(how)
-    for package, ends in packages.items():
-        name = _DISTRIBUTIONS.get(package, package)
-        if find_spec(package):
-            _row(name, f"{_version_of(name) or 'here'}; a frame ends at {ends[0]}")
-            for end in ends[1:]:
-                _row("", f"or at {end}")
-    missing = [_DISTRIBUTIONS.get(p, p) for p in packages if not find_spec(p)]
+    missing: list[str] = []
+    for toolkit in toolkits.used():
+        distribution = toolkit.distribution or toolkit.package
+        if not find_spec(toolkit.package):
+            missing.append(distribution)
+            continue
+        known = toolkit.name in (distribution, toolkit.package)
+        version = _version_of(distribution) or "here"
+        first, *others = toolkit.places(Part.FRAMES)
+        _row(toolkit.name, f"{version if known else f'{distribution} {version}'}; "
+             f"a frame ends at {first}")  # fmt: skip
+        for other in others:
+            _row("", f"or at {other}")
+        for part, effect in toolkit.lacks.items():
+            _row("", f"without {part.value}: {effect}")
     if missing:
         _row("not installed", ", ".join(missing))
 

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim import pipeline
+from glshim import pipeline, toolkits
 from glshim.control import owners
 from glshim.control.keys import KEYS, LiveSettings
 from glshim.errors import GlshimError
@@ -27,7 +27,7 @@ from glshim.outputs.gl.frame import grab, overlay
 from glshim.styling import registry, texts
 from glshim.styling.descriptions import changed_options
 from glshim.styling.protocol import Styler
-from glshim.toolkits import frames, keyboard
+from glshim.toolkits import frames
 
 _PLAIN = "none"
 _LABELS = {"cycle": "style", "back": "back", "toggle": "on/off", "save": "PNG", "overlay": "hide"}
@@ -86,7 +86,7 @@ class Controls:
         action = self._keys.action(chord)
         if action is not None:
             self._wishes.append(action)
-            keyboard.redraw()
+            toolkits.redraw()
 
     # -- the style that the program began with, saved anew --------------------------------------
 
@@ -108,13 +108,13 @@ class Controls:
     def frame_ends(self) -> None:
         """The picture is whole, and is about to be presented."""
         self._clock.tick()
-        keyboard.frame_ends()
+        toolkits.window_is_there()
         # What is wished for after a switch is wished of the next picture.
         while self._wishes:
             action = self._wishes.popleft()
             getattr(self, f"_{action}")()
             if action in ("cycle", "back", "toggle"):
-                keyboard.redraw()  # a program that draws on demand has to show the new style
+                toolkits.redraw()  # a program that draws on demand has to show the new style
                 break
         if self._panel is not None:
             self._panel.show(pipeline.current(), self._lines)

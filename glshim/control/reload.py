@@ -19,8 +19,6 @@ from glshim.toolkits import frames
 
 INTERVAL = 0.25
 """Seconds between two looks at the files, at least."""
-AFTER_ALL = 4
-"""Rank among the listeners: when a frame has been presented, and counted."""
 
 Stamp = tuple[tuple[int, int, int] | None, ...]
 
@@ -41,6 +39,7 @@ class Reloader:
         self._next = 0.0
         self._styler: Styler | None = None
         self._doubtful = False
+        self._listener: frames.Listener | None = None
         self._refused: tuple[str, int] | None = None
         """What was said of the files as they are, with a sum of their contents."""
 
@@ -74,15 +73,14 @@ class Reloader:
 
     def install(self) -> None:
         """Look at the files where frames end, if there are any to watch."""
-        if self.watches:
-            frames.install(self._nothing, self.look, rank=AFTER_ALL)
+        if self.watches and self._listener is None:
+            self._listener = frames.listen(frames.Stage.RELOAD, after=self.look)
 
     def uninstall(self) -> None:
         """Look no more."""
-        frames.uninstall(self._nothing)
-
-    def _nothing(self) -> None:
-        """Nothing is to be done before a frame is presented."""
+        if self._listener is not None:
+            self._listener.stop()
+            self._listener = None
 
     def look(self) -> None:
         """Take up what was saved since, at most so often; a broken file is said once, and the

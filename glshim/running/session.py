@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from glshim import toolkits
 from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
 from glshim.errors import GlshimError
@@ -12,15 +13,15 @@ from glshim.notices import say, say_fault
 from glshim.running import environment, stillness
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
-from glshim.toolkits import frames
+from glshim.toolkits import Part, frames, keyboard
+from glshim.toolkits.frames import Stage
+from glshim.toolkits.moment import MOMENT
 
 if TYPE_CHECKING:
     from glshim.control.live import Controls
 
 SHOT = "GLSHIM_SHOT"
 """`glshim.running.shots.plan.VARIABLE`, which is not loaded but then."""
-LOOKS_AT_THE_PICTURE, DRAWS_OVER_IT, COUNTS = 1, 2, 3
-"""Ranks of the listeners to frame ends; the pipeline draws at 0."""
 NO_STYLE = "none"
 _controls: Controls | None = None
 """What the keys do, where some are watched."""
@@ -37,7 +38,7 @@ def begin(folder: str) -> None:
         from glshim.running.shots.plan import Plan
         from glshim.running.shots.shooter import Shot
 
-        shot = Shot(Plan.of_text(os.environ[SHOT]), stillness.MOMENT)
+        shot = Shot(Plan.of_text(os.environ[SHOT]), MOMENT)
         shot.prepare()
     if settings.style is not None or settings.live is not None:
         _install(settings.style or NO_STYLE, folder, live=settings.live is not None)
@@ -47,13 +48,15 @@ def begin(folder: str) -> None:
         from glshim.outputs.gl.frame.grab import FrameWriter
 
         writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
-        frames.install(writer.write, rank=LOOKS_AT_THE_PICTURE)
+        frames.listen(Stage.CAPTURE, before=writer.write)
     if settings.live is not None:
         _watch_keys(settings.live, settings.style, folder)
     if stillness.VARIABLE in os.environ:
         stillness.count_frames()
     if settings.frames is not None:
         FrameLimit(settings.frames).install()
+    if frames.has_listeners():
+        toolkits.watch(Part.FRAMES)
 
 
 def _install(style: str, folder: str, *, live: bool) -> None:
@@ -91,12 +94,11 @@ def _watch_keys(settings: LiveSettings, style: str | None, folder: str) -> None:
     global _controls
     try:
         from glshim.control.live import Controls
-        from glshim.toolkits import keyboard, keyboards
 
         _controls = Controls(settings, style, folder)
-        keyboards.watch()
+        toolkits.watch(Part.KEYS)
         keyboard.listen(_controls)
-        frames.install(_controls.frame_ends, rank=DRAWS_OVER_IT)
+        frames.listen(Stage.OVERLAY, before=_controls.frame_ends)
     except Exception as error:
         say_fault("cannot watch the keys, the program runs on without them", error)
 
@@ -108,10 +110,8 @@ class FrameLimit:
         self._left = frames_left
 
     def install(self) -> None:
-        frames.install(self._before, self._count, rank=COUNTS)
-
-    def _before(self) -> None:
-        pass
+        """Count from now on."""
+        frames.listen(Stage.COUNT, after=self._count)
 
     def _count(self) -> None:
         self._left -= 1

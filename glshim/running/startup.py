@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 # Everything of PyOpenGL that makes GL functions imports this first. By now the app has chosen its
 # flags (ERROR_CHECKING, ...), and the platform is known.
 PYOPENGL = "OpenGL.error"
-# Toolkits whose names an app may take before it imports PyOpenGL.
-EARLY_TOOLKITS = ("glfw", "pygame.display")
 KEYS = "GLSHIM_KEYS"
 
 _armed = False
@@ -38,19 +36,25 @@ def arm() -> None:
         from glshim.running import stillness
 
         stillness.begin()
-    for toolkit in EARLY_TOOLKITS:
-        after_import(toolkit, _watch_toolkits)
+    for package in _toolkit_files():
+        after_import(package, _watch_toolkit)
     after_import(PYOPENGL, _begin)
 
 
-def _watch_toolkits(module: "ModuleType") -> None:
-    from glshim.toolkits import frames
+def _toolkit_files() -> "list[str]":
+    """The files in the toolkits' folder, most of which have the names of the packages they hook:
+    an app may take names of those before it imports PyOpenGL."""
+    folder = os.path.join(os.path.dirname(os.path.dirname(__file__)), "toolkits")
+    return [name[:-3] for name in os.listdir(folder) if name.endswith(".py")]
 
-    frames.watch_toolkits()
+
+def _watch_toolkit(module: "ModuleType") -> None:
+    from glshim import toolkits
+
+    parts = [toolkits.Part.FRAMES]
     if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
-        from glshim.toolkits import keyboards
-
-        keyboards.watch()
+        parts.append(toolkits.Part.KEYS)
+    toolkits.watch_package(module.__name__, *parts)
 
 
 def _begin(module: "ModuleType") -> None:

@@ -1,6 +1,7 @@
-"""The ends of frames: every toolkit's present function, as data, and who listens to it.
+"""The ends of frames, and who listens to them. Which call of which toolkit ends a frame is said in
+the toolkits' own files, which call `present`; this one knows no toolkit.
 
-A listener is a pair of functions: ``before`` runs with the app's context current just before the
+A listener is up to two functions: ``before`` runs with the app's context current just before the
 frame is presented, ``after`` just after. The app sees neither them nor their exceptions.
 """
 
@@ -13,10 +14,10 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from enum import IntEnum
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
-from glshim.bindings.imports import after_import
 from glshim.notices import say_fault
 
 Result = TypeVar("Result")
@@ -24,20 +25,40 @@ Size = tuple[int, int]
 """Width and height of a drawable, in pixels."""
 
 
-def _nothing() -> None:
-    """Stands for the half of a listener that was not given."""
+class Stage(IntEnum):
+    """When a listener is called: in this order, before the present and again after it."""
+
+    DRAW = 0
+    """The style is drawn into the app's picture."""
+    CLOCK = 1
+    """Clocks that stand still move on."""
+    CAPTURE = 2
+    """The finished picture is read."""
+    OVERLAY = 3
+    """What belongs to no picture is drawn over it."""
+    COUNT = 4
+    """Frames are counted, and the program may end."""
+    RELOAD = 5
+    """Saved files are read again."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Listener:
+    """Who listens to frame ends."""
+
+    stage: Stage
+    before: Callable[[], None] | None
+    after: Callable[[], None] | None
+
+    def stop(self) -> None:
+        """Listen no more. A toolkit's hook with no listener only calls the toolkit."""
+        global _listeners
+        _listeners = tuple(each for each in _listeners if each is not self)
 
 
 @dataclass(frozen=True, slots=True)
-class _Listener:
-    before: Callable[[], None]
-    after: Callable[[], None]
-    rank: int
-
-
-@dataclass(frozen=True, slots=True)
-class Surface:
-    """What a toolkit is about to present."""
+class Drawable:
+    """What a toolkit is about to present: a window, a widget."""
 
     size: Callable[[], Size | None]
     may_raise: bool = True
@@ -46,51 +67,43 @@ class Surface:
     """The framebuffer object that it is drawn into, 0 for the window's own."""
 
 
-UNKNOWN = Surface(lambda: None)
-_listeners: tuple[_Listener, ...] = ()
-_surface = UNKNOWN
-_watching = False
+UNKNOWN = Drawable(lambda: None)
+_listeners: tuple[Listener, ...] = ()
+_drawable = UNKNOWN
 _presented = 0
 _leaving = False
 _exit_raised = False
 
 
-def install(
-    before_present: Callable[[], None],
-    after_present: Callable[[], None] = _nothing,
+def listen(
+    stage: Stage,
     *,
-    rank: int = 0,
-) -> None:
-    """Listen to frame ends. Listeners of a lower rank come first: 0 draws, 1 looks at the picture,
-    2 draws over it, 3 counts. Installing the same ``before_present`` again replaces it."""
+    before: Callable[[], None] | None = None,
+    after: Callable[[], None] | None = None,
+) -> Listener:
+    """Have the functions called at each frame end, after those of earlier stages and those that
+    came to the same stage earlier, until the listener is stopped. Toolkits end frames only once
+    they are hooked: see `glshim.toolkits.watch`."""
     global _listeners
-    uninstall(before_present)
-    listener = _Listener(before_present, after_present, rank)
-    _listeners = tuple(sorted((*_listeners, listener), key=lambda each: each.rank))
-    watch_toolkits()
+    listener = Listener(stage, before, after)
+    _listeners = tuple(sorted((*_listeners, listener), key=lambda each: each.stage))
+    return listener
 
 
-def uninstall(before_present: Callable[[], None]) -> None:
-    """Stop listening. A toolkit's hook with no listener only calls the toolkit."""
-    global _listeners
-    _listeners = tuple(each for each in _listeners if each.before != before_present)
+def has_listeners() -> bool:
+    """Whether anyone listens, in whatever context."""
+    return bool(_listeners)
 
 
-def watch_toolkits() -> None:
-    """Hook every toolkit of the table that is imported, and the others when they are."""
-    from glshim.toolkits.toolkits import TOOLKITS
-
-    global _watching
-    if not _watching:
-        _watching = True
-        for toolkit in TOOLKITS:
-            after_import(toolkit.module, toolkit.hook)
+def listening() -> bool:
+    """Whether a frame that ends now matters to anyone: someone listens, a context is current."""
+    return bool(_listeners) and _context_is_current()
 
 
 def present(
     swap: Callable[..., Result],
     *arguments: Any,
-    on: Surface | None = None,
+    on: Drawable | None = None,
     named: Mapping[str, Any] = MappingProxyType({}),
 ) -> Result:
     """Call ``swap(*arguments, **named)`` as the end of a frame.
@@ -101,7 +114,7 @@ def present(
     global _presented
     if not listening():
         return swap(*arguments, **named)
-    with drawing(on or _surface):
+    with drawing(on or _drawable):
         for listener in _listeners:
             _call(listener.before)
         result = swap(*arguments, **named)
@@ -109,13 +122,8 @@ def present(
         for listener in _listeners:
             _call(listener.after)
         if _leaving:
-            _leave(_surface)
+            _leave(_drawable)
     return result
-
-
-def listening() -> bool:
-    """Whether a frame that ends now matters to anyone: someone listens, a context is current."""
-    return bool(_listeners) and _context_is_current()
 
 
 def _context_is_current() -> bool:
@@ -125,14 +133,14 @@ def _context_is_current() -> bool:
 
 
 @contextmanager
-def drawing(on: Surface) -> Iterator[None]:
-    """Frames that end inside belong to this surface."""
-    global _surface
-    outer, _surface = _surface, on
+def drawing(on: Drawable) -> Iterator[None]:
+    """Frames that end inside belong to this drawable."""
+    global _drawable
+    outer, _drawable = _drawable, on
     try:
         yield
     finally:
-        _surface = outer
+        _drawable = outer
 
 
 def presented() -> int:
@@ -143,14 +151,14 @@ def presented() -> int:
 def drawable_size() -> Size | None:
     """The size of what is being presented, None where the toolkit did not say."""
     with suppress(Exception):
-        return _surface.size()
+        return _drawable.size()
     return None
 
 
 def drawable_framebuffer() -> int:
     """The framebuffer object of what is being presented, 0 for the window's own."""
     with suppress(Exception):
-        return _surface.framebuffer()
+        return _drawable.framebuffer()
     return 0
 
 
@@ -160,19 +168,21 @@ def end_program() -> None:
     _leaving = True
 
 
-def _call(function: Callable[[], None]) -> None:
+def _call(function: Callable[[], None] | None) -> None:
+    if function is None:
+        return
     try:
         function()
     except Exception as error:
         say_fault("a frame end went wrong, the program runs on", error)
 
 
-def _leave(surface: Surface) -> None:
+def _leave(drawable: Drawable) -> None:
     """End as the app would by itself, with its ``finally`` blocks run, where an exception gets
     that far: not out of a callback from C, not out of a thread, not twice."""
     global _exit_raised
     in_main_thread = threading.current_thread() is threading.main_thread()
-    if surface.may_raise and in_main_thread and not _exit_raised:
+    if drawable.may_raise and in_main_thread and not _exit_raised:
         _exit_raised = True
         raise SystemExit(0)
     exit_now()

@@ -1,13 +1,13 @@
 """Keys that are ours, whichever toolkit tells the program about them.
 
-A toolkit's hook (`glshim.toolkits.keyboards`) asks here about each key before the program hears of
-it. A key belongs to one of both: what we act on the program does not get, neither its press nor its
-release; all others it gets as ever.
+A toolkit's hook asks here about each key before the program hears of it. A key is ours or the
+program's: one that we act on the program does not get, neither its press nor its release; all
+others it gets as ever.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Collection, Mapping
 from typing import Protocol
 
 from glshim.notices import say_fault
@@ -34,13 +34,16 @@ class Listener(Protocol):
 
 _listener: Listener | None = None
 _held: set[str] = set()
-_starters: list[Callable[[], None]] = []
-_redraws: list[Callable[[], None]] = []
 
 
 def chord(name: str, held: Collection[str] = ()) -> str:
     """A key of `NAMES` with the `MODIFIERS` that are held: ``ctrl+shift+F9``."""
     return "+".join((*(modifier for modifier in MODIFIERS if modifier in held), name))
+
+
+def modifiers(mask: int, bits: Mapping[str, int]) -> set[str]:
+    """The `MODIFIERS` of a mask, by a toolkit's bits of each."""
+    return {modifier for modifier, bit in bits.items() if mask & bit}
 
 
 def listen(listener: Listener | None) -> None:
@@ -91,28 +94,3 @@ def released(name: str | None) -> bool:
         return False
     _held.discard(str(name))
     return True
-
-
-def at_frame_ends(start: Callable[[], None]) -> None:
-    """Have it called at each frame end: for what can be hooked only once a window is there."""
-    _starters.append(start)
-
-
-def on_redraw(redraw: Callable[[], None]) -> None:
-    """What asks the windows of a toolkit for another frame."""
-    _redraws.append(redraw)
-
-
-# -- for who listens -------------------------------------------------------------------------------
-
-
-def frame_ends() -> None:
-    """A window is there, and its context is current."""
-    for start in _starters:
-        start()
-
-
-def redraw() -> None:
-    """Ask for another frame: programs that draw only on demand would show nothing new."""
-    for each in _redraws:
-        each()

@@ -15,6 +15,7 @@ import pytest
 from PIL import Image
 
 from glshim.toolkits import frames
+from glshim.toolkits.frames import Stage
 
 GLUT = """
 import atexit, sys
@@ -263,10 +264,10 @@ def noting(log: list[str], word: str) -> Callable[[], None]:
 
 
 @pytest.mark.usefixtures("current")
-def test_listeners_run_by_rank_around_the_present() -> None:
+def test_listeners_run_by_stage_around_the_present() -> None:
     log: list[str] = []
-    frames.install(noting(log, "grab"), rank=1)
-    frames.install(noting(log, "draw"), noting(log, "drawn"))
+    frames.listen(Stage.CAPTURE, before=noting(log, "grab"))
+    frames.listen(Stage.DRAW, before=noting(log, "draw"), after=noting(log, "drawn"))
     assert frames.present(lambda: log.append("swap") or 7) == 7
     assert log == ["draw", "grab", "swap", "drawn"]
 
@@ -277,8 +278,8 @@ def test_a_listener_that_raises_reaches_nobody(capsys: pytest.CaptureFixture[str
         raise RuntimeError("in a listener")
 
     log: list[str] = []
-    frames.install(broken, broken)
-    frames.install(noting(log, "draw"))
+    frames.listen(Stage.DRAW, before=broken, after=broken)
+    frames.listen(Stage.DRAW, before=noting(log, "draw"))
     assert frames.present(lambda: 7) == 7
     assert log == ["draw"]
     assert "in a listener" in capsys.readouterr().err
@@ -287,20 +288,23 @@ def test_a_listener_that_raises_reaches_nobody(capsys: pytest.CaptureFixture[str
 @pytest.mark.usefixtures("current")
 def test_what_the_present_raises_is_the_apps() -> None:
     log: list[str] = []
-    frames.install(noting(log, "before"), noting(log, "after"))
+    frames.listen(Stage.DRAW, before=noting(log, "before"), after=noting(log, "after"))
     with pytest.raises(ZeroDivisionError):
         frames.present(lambda: 1 // 0)
     assert log == ["before"]
 
 
 @pytest.mark.usefixtures("current")
-def test_uninstalled_is_gone() -> None:
+def test_who_stopped_is_gone_and_no_other() -> None:
     log: list[str] = []
     before = noting(log, "before")
-    frames.install(before)
-    frames.install(before)
+    first, second = (frames.listen(Stage.DRAW, before=before) for _ in range(2))
+    second.stop()
+    second.stop()
     frames.present(lambda: None)
-    frames.uninstall(before)
+    assert log == ["before"]
+    first.stop()
+    assert not frames.has_listeners()
     frames.present(lambda: None)
     assert log == ["before"]
 
@@ -308,8 +312,8 @@ def test_uninstalled_is_gone() -> None:
 @pytest.mark.usefixtures("current")
 def test_the_program_ends_after_all_listeners_ran() -> None:
     log: list[str] = []
-    frames.install(noting(log, "1"), frames.end_program)
-    frames.install(noting(log, "2"), noting(log, "after"), rank=1)
+    frames.listen(Stage.DRAW, before=noting(log, "1"), after=frames.end_program)
+    frames.listen(Stage.CAPTURE, before=noting(log, "2"), after=noting(log, "after"))
     with pytest.raises(SystemExit) as caught:
         frames.present(lambda: None)
     assert caught.value.code == 0

@@ -5,15 +5,17 @@ from __future__ import annotations
 import ctypes
 import enum
 import functools
+import sys
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from glshim.toolkits import keyboard, qt, qt_keys
-from glshim.toolkits.keyboards import KEYBOARDS
-from glshim.toolkits.toolkits import TOOLKITS
+from glshim import toolkits
+from glshim.toolkits import Part, Toolkit, keyboard, qt
+
+Hook = Callable[[str, Any], Toolkit]
 
 
 class Listening:
@@ -30,30 +32,38 @@ class Listening:
 
     def press(self, chord: str) -> None:
         self.pressed.append(chord)
-        keyboard.redraw()
+        toolkits.redraw()
 
 
 @pytest.fixture
 def ours(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
     """What was pressed of ours."""
-    monkeypatch.setattr(keyboard, "_starters", [])
-    monkeypatch.setattr(keyboard, "_redraws", [])
     listening = Listening()
     keyboard.listen(listening)
     yield listening.pressed
     keyboard.listen(None)
 
 
-def hook(name: str, module: Any) -> None:
-    next(row for row in KEYBOARDS if row.name == name).hook(module)
+@pytest.fixture
+def hook(monkeypatch: pytest.MonkeyPatch) -> Hook:
+    """Hooks the keys of the toolkit of that name in a module that stands for its own."""
+
+    def put(name: str, module: Any) -> Toolkit:
+        toolkit = fresh(name)
+        monkeypatch.setattr(toolkits, "used", lambda: (toolkit,))
+        (row,) = (row for row in toolkit.hooks() if row.part is Part.KEYS)
+        module.__spec__ = None
+        monkeypatch.setitem(sys.modules, row.module, module)
+        toolkit.watch(Part.KEYS)
+        return toolkit
+
+    return put
 
 
-def test_every_keyboard_belongs_to_a_toolkit_whose_frames_are_hooked() -> None:
-    packages = {toolkit.module.partition(".")[0] for toolkit in TOOLKITS}
-    assert {row.module.partition(".")[0] for row in KEYBOARDS} <= packages
-    assert {row.name for row in KEYBOARDS} == {
-        "GLUT", "glfw", "pygame", "PyQt5", "PyQt6", "PySide2", "PySide6",
-    }  # fmt: skip
+def fresh(name: str) -> Toolkit:
+    """One that has hooked nothing yet."""
+    (kind,) = (type(toolkit) for toolkit in toolkits.used() if toolkit.name == name)
+    return kind(name) if kind is qt.Qt else kind()  # type: ignore[arg-type]
 
 
 # -- GLUT -----------------------------------------------------------------------------------------
@@ -78,7 +88,9 @@ class Glut:
 
 
 @pytest.fixture
-def glut(ours: list[str], monkeypatch: pytest.MonkeyPatch) -> tuple[Glut, Any]:
+def glut(
+    hook: Hook, ours: list[str], monkeypatch: pytest.MonkeyPatch
+) -> tuple[Glut, Any]:
     import OpenGL.platform
 
     library = Glut()
@@ -131,12 +143,12 @@ def test_glut_windows_without_callbacks_get_ours_once(
 ) -> None:
     library, module = glut
     module.INITIALIZED = False
-    keyboard.frame_ends()
+    toolkits.window_is_there()
     assert library.registered == {}
     module.INITIALIZED = True
-    keyboard.frame_ends()
+    toolkits.window_is_there()
     special = library.registered["Special"]
-    keyboard.frame_ends()
+    toolkits.window_is_there()
     assert library.registered["Special"] is special
     library.registered["Keyboard"](b"k", 0, 0)
     assert ours == ["K"]
@@ -150,7 +162,7 @@ def test_glut_windows_without_callbacks_get_ours_once(
 # -- glfw -----------------------------------------------------------------------------------------
 
 
-def test_glfw_windows_have_a_callback_from_the_start(ours: list[str]) -> None:
+def test_glfw_windows_have_a_callback_from_the_start(hook: Hook, ours: list[str]) -> None:
     hooked: dict[int, Any] = {}
     window = ctypes.c_void_p(77)
 
@@ -182,7 +194,7 @@ def test_glfw_windows_have_a_callback_from_the_start(ours: list[str]) -> None:
 # -- pygame ---------------------------------------------------------------------------------------
 
 
-def test_pygame_gives_the_app_all_events_but_ours(ours: list[str]) -> None:
+def test_pygame_gives_the_app_all_events_but_ours(hook: Hook, ours: list[str]) -> None:
     import pygame
 
     def key(kind: int, code: int, mod: int = 0) -> Any:
@@ -254,17 +266,19 @@ class Application:
 
 
 @pytest.mark.parametrize("binding", ["PyQt5", "PySide2", "PyQt6", "PySide6"])
-def test_qt_applications_are_filtered_once_they_are_there(binding: str, ours: list[str]) -> None:
+def test_qt_applications_are_filtered_once_they_are_there(
+    binding: str, hook: Hook, ours: list[str]
+) -> None:
     apps: list[Application | None] = [None]
     core = SimpleNamespace(
         QObject=object, QCoreApplication=SimpleNamespace(instance=lambda: apps[-1])
     )
     hook(binding, core)
-    keyboard.frame_ends()
+    toolkits.window_is_there()
     for _ in range(2):  # an application may follow another
         apps.append(Application())
         for _ in range(2):
-            keyboard.frame_ends()
+            toolkits.window_is_there()
     assert [len(app.filters) for app in apps if app] == [1, 1]
     assert apps[-1] is not None
     takes = apps[-1].filters[0].eventFilter
@@ -282,9 +296,9 @@ def test_qt_applications_are_filtered_once_they_are_there(binding: str, ours: li
 
 def test_a_shortcut_of_the_apps_yields_to_a_key_that_the_user_named_alone(ours: list[str]) -> None:
     named, default = Event(51, Key.K), Event(51, Key.F5, 0x02000000)
-    assert qt_keys.is_ours(51, named)
+    assert qt.is_ours(51, named)
     assert named.accepted
-    assert not qt_keys.is_ours(51, default)
+    assert not qt.is_ours(51, default)
     assert not default.accepted
     assert ours == []
 
@@ -300,8 +314,8 @@ def test_qt_widgets_that_painted_are_asked_to_paint_again() -> None:
         def update(self) -> None:
             raise RuntimeError("its C++ half was deleted")
 
-    widgets = [Widget(), Gone()]
+    widgets, toolkit = [Widget(), Gone()], qt.Qt("PyQt6")
     for widget in widgets:
-        qt._surface(widget)
-    qt.update_widgets()
+        toolkit.drawable(widget)
+    toolkit.redraw()
     assert widgets[0].asked == 1

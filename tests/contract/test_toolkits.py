@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from glshim.toolkits import frames
-from glshim.toolkits.qt import hook_painting, hook_swaps
-from glshim.toolkits.toolkits import TOOLKITS
+from glshim.toolkits.base import Changes
+from glshim.toolkits.qt import Qt
+from glshim.toolkits.wx import Wx
 
 
 @pytest.fixture
@@ -18,9 +20,11 @@ def log(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     happened: list[str] = []
     monkeypatch.setattr(frames, "_context_is_current", lambda: True)
     monkeypatch.setattr(frames, "_listeners", ())
-    monkeypatch.setattr(frames, "watch_toolkits", lambda: None)
-    frames.install(
-        lambda: happened.append(f"{frames.drawable_size()} in {frames.drawable_framebuffer()}"))
+    frames.listen(
+        frames.Stage.DRAW,
+        before=lambda: happened.append(
+            f"{frames.drawable_size()} in {frames.drawable_framebuffer()}"),
+    )
     return happened
 
 
@@ -56,9 +60,10 @@ def fresh_base() -> Any:
 
 @pytest.mark.parametrize("late", [False, True])
 def test_a_qt_frame_ends_after_painting(log: list[str], late: bool) -> None:
-    base, hook = fresh_base(), hook_painting("QOpenGLWidget", "NotThere")
+    base = fresh_base()
+    hook = functools.partial(Qt("PyQt6").hook_painting, ("QOpenGLWidget", "NotThere"))
     if not late:
-        hook(module_with(base))
+        hook(module_with(base), Changes())
 
     class App(base):  # type: ignore[misc]
         def paintGL(self) -> str:
@@ -66,7 +71,7 @@ def test_a_qt_frame_ends_after_painting(log: list[str], late: bool) -> None:
             return "result"
 
     if late:
-        hook(module_with(base))
+        hook(module_with(base), Changes())
     assert App().show() == "result"
     assert App.paintGL.__name__ == "paintGL"
     assert log == ["painted", "(60, 40) in 7"]
@@ -74,7 +79,7 @@ def test_a_qt_frame_ends_after_painting(log: list[str], late: bool) -> None:
 
 def test_painting_through_super_is_one_frame(log: list[str]) -> None:
     base = fresh_base()
-    hook_painting("QOpenGLWidget")(module_with(base))
+    Qt("PyQt6").hook_painting(("QOpenGLWidget",), module_with(base), Changes())
 
     class Scene(base):  # type: ignore[misc]
         def paintGL(self) -> None:
@@ -91,7 +96,7 @@ def test_painting_through_super_is_one_frame(log: list[str]) -> None:
 
 def test_painting_that_a_mixin_does(log: list[str]) -> None:
     base = fresh_base()
-    hook_painting("QOpenGLWidget")(module_with(base))
+    Qt("PyQt6").hook_painting(("QOpenGLWidget",), module_with(base), Changes())
 
     class Paints:
         def paintGL(self) -> None:
@@ -108,7 +113,7 @@ def test_painting_that_a_mixin_does(log: list[str]) -> None:
 
 def test_what_painting_raises_is_the_apps(log: list[str]) -> None:
     base = fresh_base()
-    hook_painting("QOpenGLWidget")(module_with(base))
+    Qt("PyQt6").hook_painting(("QOpenGLWidget",), module_with(base), Changes())
 
     class App(base):  # type: ignore[misc]
         fails = True
@@ -129,8 +134,9 @@ def test_what_painting_raises_is_the_apps(log: list[str]) -> None:
 def test_a_qt_program_that_swaps_by_itself(log: list[str]) -> None:
     swapped = type("QGLWidget", (Widget,), {"swapBuffers": lambda self: log.append("swapped")})
     module = SimpleNamespace(QGLWidget=swapped)
-    hook_swaps(QGLWidget="swapBuffers")(module)  # type: ignore[arg-type]
-    hook_painting("QGLWidget")(module)  # type: ignore[arg-type]
+    qt = Qt("PyQt5")
+    qt.hook_swaps("QGLWidget", module, Changes())
+    qt.hook_painting(("QGLWidget",), module, Changes())
 
     class App(swapped):  # type: ignore[misc, valid-type]
         def paintGL(self) -> None:
@@ -153,8 +159,8 @@ def test_a_method_is_not_asked_for_its_docstring(log: list[str]) -> None:
             log.append("swapped")
 
     context = type("QOpenGLContext", (), {"swapBuffers": Method()})
-    hook_swaps(QOpenGLContext="swapBuffers")(  # type: ignore[arg-type]
-        SimpleNamespace(QOpenGLContext=context))
+    Qt("PySide6").hook_swaps(
+        "QOpenGLContext", SimpleNamespace(QOpenGLContext=context), Changes())
     context().swapBuffers(Widget())
     assert log == ["(60, 40) in 7", "swapped"]
 
@@ -167,7 +173,6 @@ def test_wx(log: list[str]) -> None:
     canvas = type("GLCanvas", (), {
         "SwapBuffers": swap, "GetClientSize": lambda self: (30, 20),
         "GetContentScaleFactor": lambda self: 2.0})
-    row = next(toolkit for toolkit in TOOLKITS if toolkit.name == "wx")
-    row.hook(SimpleNamespace(GLCanvas=canvas))  # type: ignore[arg-type]
+    Wx().hook_swaps(SimpleNamespace(GLCanvas=canvas), Changes())
     assert canvas().SwapBuffers() is True
     assert log == ["(60, 40) in 0", "swapped"]

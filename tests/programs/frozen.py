@@ -25,7 +25,11 @@ from typing import Any
 import numpy as np
 
 from glshim.running import stillness
-from glshim.running.stillness import real_clock, real_sleep
+from glshim.toolkits.base import Changes
+from glshim.toolkits.glfw import Glfw
+from glshim.toolkits.glut import GlutLoop
+from glshim.toolkits.moment import Moment, real_clock, real_sleep
+from glshim.toolkits.pygame import Pygame
 
 GL_DOUBLEBUFFER = 0x0C32
 Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)
@@ -120,7 +124,7 @@ class Recorder:
 
     def __init__(self, out: Path, frames: int) -> None:
         self.out, self.frames = out, frames
-        self.moment = stillness.Moment()
+        self.moment = Moment()
         self.pictures: list[np.ndarray[Any, Any]] = []
         self.last_seen = real_clock()
         self.screen = Screen()
@@ -175,7 +179,7 @@ def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
 def freeze_pygame(pygame: ModuleType, recorder: Recorder) -> None:
     for name in ("flip", "update"):
         around(pygame.display, name, recorder.presented)
-    stillness.still_pygame(pygame.time, recorder.moment)
+    Pygame(recorder.moment).hold_clock(pygame.time, Changes())
 
 
 def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
@@ -186,12 +190,12 @@ def freeze_glfw(glfw: ModuleType, recorder: Recorder) -> None:
         recorder.presented(glfw.get_x11_window(window))
 
     glfw.swap_buffers = swap_buffers  # type: ignore[attr-defined]
-    stillness.still_glfw(glfw, recorder.moment)
+    Glfw(recorder.moment).hold_clock(glfw, Changes())
 
 
 def freeze_glut(glut: ModuleType, recorder: Recorder) -> None:
     around(glut, "glutSwapBuffers", recorder.presented)
-    stillness.GlutLoop(glut, recorder.moment, recorder.finish)
+    GlutLoop(glut, recorder.moment, recorder.finish).serve(Changes())
 
 
 def freeze_glx(glx: ModuleType, recorder: Recorder) -> None:

@@ -86,7 +86,7 @@ class Shot:
 
     def begin(self) -> None:
         """From now on, listen: the frame before the one asked for opens the shot."""
-        frames.install(self._before, self._after, rank=1)
+        frames.listen(frames.Stage.CAPTURE, before=self._before, after=self._after)
         if self.plan.frame == 1:
             self._frames = 1  # the one that comes up to now is the only one: see `_settle`
             self._settled = False
