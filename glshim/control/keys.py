@@ -75,7 +75,7 @@ def parse_keys(text: str, folder: str = "") -> Keys | None:
         action, equals, key = (part.strip() for part in piece.partition("="))
         if not equals or not key:
             raise StyleError(
-                f"{piece.strip()!r} names no key: write on, off or ACTION=KEY, "
+                f"{piece.strip()!r} does not name a key: write on, off or ACTION=KEY, "
                 f"e.g. cycle=F5,overlay=off; actions are {', '.join(DEFAULTS)}"
             )
         if action not in DEFAULTS:

@@ -7,34 +7,22 @@ that on.
 
 from __future__ import annotations
 
-import re
-import sys
-import time
 from collections import deque
-from collections.abc import Callable, Sequence
-from itertools import count
-from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Sequence
 
 from glshim import pipeline, toolkits
 from glshim.control import owners
 from glshim.control.keys import KEYS, LiveSettings
+from glshim.control.panel import FrameClock, Panel
+from glshim.control.pictures import Pictures
 from glshim.errors import GlshimError
-from glshim.notices import say, say_once
-from glshim.outputs.gl.frame import grab, overlay
+from glshim.notices import say_once
 from glshim.styling import registry, texts
 from glshim.styling.descriptions import changed_options
 from glshim.styling.protocol import Styler
-from glshim.toolkits import frames
 
 _PLAIN = "none"
 _LABELS = {"cycle": "style", "back": "back", "toggle": "on/off", "save": "PNG", "overlay": "hide"}
-_REWRITTEN_AFTER = 0.25
-"""Seconds for which the panel's numbers stand: they shall be read."""
-_WEIGHT = 0.1
-"""Of the last frame in the smoothed time."""
 
 
 class Controls:
@@ -47,7 +35,7 @@ class Controls:
         self._styles = cycle_of(settings.styles, style)
         self._at = 0 if style and style != _PLAIN else -1
         self._first = style or ""
-        self._worn: tuple[tuple[Styler | None, str], ...] = ((pipeline.current(), style or ""),)
+        self._named: tuple[tuple[Styler | None, str], ...] = ((pipeline.current(), style or ""),)
         """The last two styles and their texts: one draws, and another may be about to."""
         self._off: Styler | None = None
         """What draws when the shim is switched on again."""
@@ -97,7 +85,7 @@ class Controls:
         shown = self._off if drawing is None and self._off is not None else drawing
         if shown is not None and self._text_of(shown) != self._first:
             return
-        self._worn = (self._worn[-1], (styler, self._first))
+        self._named = (self._named[-1], (styler, self._first))
         if self._off is not None:
             self._off = styler
         else:
@@ -136,10 +124,10 @@ class Controls:
             try:
                 styler = texts.parse_style(text, self._folder)
             except GlshimError as error:
-                say_once(f"style {text!r} is passed over: {error}")
+                say_once(f"style {text!r} is skipped: {error}")
                 continue
             self._off = None
-            self._worn = (self._worn[-1], (styler, text))
+            self._named = (self._named[-1], (styler, text))
             pipeline.switch(styler)
             return
 
@@ -168,11 +156,10 @@ class Controls:
         drawing = pipeline.current()
         if drawing is None:
             return "off" if self._off is not None else _PLAIN
-        text = self._text_of(drawing)
-        return Path(text).stem if text.endswith(".toml") else text.partition(":")[0].strip()
+        return texts.name_of(self._text_of(drawing))
 
-    def _text_of(self, worn: Styler) -> str:
-        return next((text for styler, text in self._worn if styler is worn), worn.name)
+    def _text_of(self, drawing: Styler) -> str:
+        return next((text for styler, text in self._named if styler is drawing), drawing.name)
 
     def _lines(self) -> list[str]:
         """What the panel says."""
@@ -201,85 +188,3 @@ def cycle_of(styles: Sequence[str], first: str | None) -> tuple[str, ...]:
         return texts
     at = texts.index(first) if first in texts else len(texts)
     return (first, *texts[at + 1 :], *texts[:at])
-
-
-class FrameClock:
-    """The time from one frame end to the next, smoothed."""
-
-    def __init__(self) -> None:
-        self._last: float | None = None
-        self.seconds = 1e-3
-
-    def tick(self) -> None:
-        """A frame ends now."""
-        now = time.perf_counter()
-        if self._last is not None:
-            new = max(now - self._last, 1e-6)
-            first = self.seconds == 1e-3
-            self.seconds = new if first else self.seconds + _WEIGHT * (new - self.seconds)
-        self._last = now
-
-
-class Panel:
-    """The overlay, which is made anew a few times a second."""
-
-    def __init__(self) -> None:
-        self._pixels: NDArray[np.uint8] | None = None
-        self._said: list[str] = []
-        self._state = (0, 0)
-        self._since = -_REWRITTEN_AFTER
-
-    def show(self, drawing: Styler | None, lines_of: Callable[[], list[str]]) -> None:
-        """Draw it over the picture that is about to be presented."""
-        size = frames.drawable_size()
-        width = size[0] if size is not None else 1 << 16
-        now, state = time.monotonic(), (id(drawing), width)
-        if self._pixels is None or state != self._state or now - self._since >= _REWRITTEN_AFTER:
-            lines = lines_of()
-            if self._pixels is None or lines != self._said or width != self._state[1]:
-                self._pixels = overlay.panel(lines, width)
-            self._said, self._state, self._since = lines, state, now
-        overlay.show(self._pixels, size, frames.drawable_framebuffer())
-
-
-class Pictures:
-    """Writes pictures of frames, each to a file of its own."""
-
-    def __init__(self, folder: str) -> None:
-        self._folder = Path(folder)
-        self._program = program_name()
-
-    def save(self, style: str) -> None:
-        """The frame that is about to be presented, as
-        ``glshim-PROGRAM-STYLE-NNN.png``; a line says where, or why not."""
-        size = frames.drawable_size()
-        if size is not None and 0 in size:
-            return
-        name = f"glshim-{self._program}-{_word(style)}"
-        try:
-            self._folder.mkdir(parents=True, exist_ok=True)
-            picture = grab.grab(size, frames.drawable_framebuffer())
-            for number in count(1):
-                path = self._folder / f"{name}-{number:03d}.png"
-                try:
-                    with path.open("xb") as file:
-                        picture.save(file, "PNG")
-                except FileExistsError:
-                    continue
-                say(f"saved {path}")
-                return
-        except OSError as error:
-            say(f"cannot save a picture in {self._folder}: {error.strerror or error}")
-
-
-def program_name() -> str:
-    """The program's, as part of a file's name."""
-    main = sys.modules.get("__main__")
-    spec = getattr(main, "__spec__", None)
-    if spec is not None:  # python -m package, or package.module
-        return _word(spec.name.removesuffix(".__main__").rpartition(".")[2])
-    return _word(Path(getattr(main, "__file__", "") or "program").stem)
-
-
-def _word(text: str) -> str:
-    return re.sub(r"[^A-Za-z0-9_.]+", "_", text).strip("._") or "program"

@@ -109,7 +109,7 @@ class Reloader:
         try:
             self._switch(styler)
         except Exception as error:
-            say_fault(f"style {styler.name!r} cannot be taken up, the last one stays", error)
+            say_fault(f"style {styler.name!r} cannot be used, the last one stays", error)
         else:
             self._styler = styler
 

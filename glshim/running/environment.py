@@ -104,7 +104,7 @@ VARIABLES = (
              parse_capture, "no frames are written"),
     Variable(KEYS, "on", "live control by keys", parse_keys, "no keys are watched"),
     Variable(STYLES, "A,B", "the row of styles that keys go through", parse_styles,
-             "all styles are gone through", needs=KEYS),
+             "the keys go through all styles", needs=KEYS),
     Variable(SAVE, "FOLDER", "where keys write PNGs", _folder, needs=KEYS),
 )  # fmt: skip
 """All of them. Those that need no other are named in ``_glshim_start.py`` and ``glshim.pth``, too,

@@ -124,6 +124,14 @@ def is_path(text: str) -> bool:
     return text.endswith(FILE) or fromfile.is_named_in(text)
 
 
+def name_of(text: str) -> str:
+    """What a style text is called: its file without the ending, its class, or its first word."""
+    if text.endswith(FILE):
+        return Path(text).stem
+    path, name, _ = fromfile.split(text)
+    return name if fromfile.is_named_in(text) else path.strip()
+
+
 def _same(one: Path, other: Path) -> bool:
     return os.path.realpath(one) == os.path.realpath(other)
 

@@ -153,7 +153,8 @@ def test_no_picture_is_told(tmp_path: Path) -> None:
                   cwd=tmp_path)
     assert done.returncode == 1 and "larger than this GL can project to" in done.stderr
     assert not (tmp_path / "x.png").exists()
-    for arguments, says in ((["--size", "5"], "is no size"), (["--scale", "no"], "is no scale"),
+    for arguments, says in ((["--size", "5"], "is not a valid size"),
+                            (["--scale", "no"], "is not a valid scale"),
                             (["-o", "x.jpg"], "ends in .png"), (["--tile", "3"], "at least 64")):
         done = glshim("shot", BOARD, *arguments, cwd=tmp_path)
         assert done.returncode == 2 and says in done.stderr

@@ -104,5 +104,5 @@ def test_a_list_that_makes_no_sense_is_said_and_all_styles_are_gone_through() ->
     assert settings.live is not None
     assert settings.live.styles == ()
     assert complaints == (
-        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; all styles are gone through",
+        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; the keys go through all styles",
     )

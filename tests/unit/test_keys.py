@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from glshim import pipeline
-from glshim.control import live, owners
+from glshim.control import live, owners, pictures
 from glshim.control.keys import (
     DEFAULTS,
     Keys,
@@ -66,8 +66,8 @@ def test_keys_that_are_named_replace_their_defaults(
         ("cycle=hyper", "no key is called 'hyper': there are F1 to F12, A to Z, 0 to 9, Insert"),
         ("cycle=meta+F3", "'meta' is not a modifier: there are ctrl, alt, shift"),
         ("cicle=F3", "no action is called 'cicle': did you mean cycle?"),
-        ("F3", "'F3' names no key: write on, off or ACTION=KEY"),
-        ("cycle=", "'cycle=' names no key"),
+        ("F3", "'F3' does not name a key: write on, off or ACTION=KEY"),
+        ("cycle=", "'cycle=' does not name a key"),
         ("cycle=F10", "F10 would do two things, cycle and toggle"),
         ("save=shift+7", "shift+7: a digit with shift is another character"),
     ],
@@ -181,7 +181,7 @@ def test_a_style_that_cannot_be_read_is_passed_over(
 ) -> None:
     made = controls(tmp_path, "raskar,missing.toml,fins")
     assert [after(made, stage, "F9") for _ in range(3)] == ["raskar", "fins", "raskar"]
-    assert "missing.toml' is passed over: cannot read style file" in capsys.readouterr().err
+    assert "missing.toml' is skipped: cannot read style file" in capsys.readouterr().err
     nothing = controls(tmp_path, "nosuch")
     stage.now = stage.next = None
     assert after(nothing, stage, "F9") == "none"
@@ -191,18 +191,18 @@ def test_a_picture_never_replaces_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     picture = Image.fromarray(np.full((2, 3, 3), 7, np.uint8))
-    monkeypatch.setattr(live.grab, "grab", lambda *_: picture)
-    monkeypatch.setattr(live, "program_name", lambda: "app")
+    monkeypatch.setattr(pictures, "grab", lambda *_: picture)
+    monkeypatch.setattr(pictures, "program_name", lambda: "app")
     (tmp_path / "glshim-app-a_b-002.png").write_text("kept")
-    pictures = live.Pictures(str(tmp_path / "new" / ".."))
+    writer = pictures.Pictures(str(tmp_path / "new" / ".."))
     for _ in range(2):
-        pictures.save("a/b")
+        writer.save("a/b")
     assert (tmp_path / "glshim-app-a_b-002.png").read_text() == "kept"
     assert Image.open(tmp_path / "glshim-app-a_b-003.png").getpixel((0, 0)) == (7, 7, 7)
     said = capsys.readouterr().err.splitlines()
     assert [line.rpartition("-")[2] for line in said] == ["001.png", "003.png"]
     (tmp_path / "file").write_text("")
-    live.Pictures(str(tmp_path / "file")).save("a")
+    pictures.Pictures(str(tmp_path / "file")).save("a")
     assert "cannot save a picture in" in capsys.readouterr().err
 
 

@@ -15,6 +15,7 @@ from glshim.styling import descriptions, registry
 from glshim.styling.protocol import Option, Styler, options_of
 from glshim.styling.registry import looks
 from glshim.styling.texts import (
+    name_of,
     parse_style,
     split_styles,
 )
@@ -193,6 +194,15 @@ def test_a_file_takes_no_options_after_it(tmp_path: Path, monkeypatch: pytest.Mo
     (tmp_path / "mine.toml").write_text('style = "raskar"')
     with pytest.raises(StyleError, match="given alone"):
         parse_style("mine.toml:ridges=off")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [("raskar", "raskar"), (" charcoal : paper=#ffffff", "charcoal"), ("a/mine.toml", "mine"),
+     ("a/my_style.py:Glow:size=3", "Glow"), ("/x:y/my_style.py", "/x")],
+)  # fmt: skip
+def test_a_text_has_a_short_name(text: str, name: str) -> None:
+    assert name_of(text) == name
 
 
 @pytest.mark.parametrize(

@@ -82,14 +82,14 @@ def test_a_plan_goes_through_the_environment() -> None:
 @pytest.mark.parametrize("text", ["", "0x40", "40", "40x", "-4x4", "4x4x4", "1e3x5"])
 def test_a_size_that_is_none_is_refused(text: str) -> None:
     assert parse_size(" 60x40 ") == (60, 40)
-    with pytest.raises(StyleError, match="no size"):
+    with pytest.raises(StyleError, match="not a valid size"):
         parse_size(text)
 
 
 @pytest.mark.parametrize("text", ["", "0", "-1", "nan", "inf", "big"])
 def test_a_scale_that_is_none_is_refused(text: str) -> None:
     assert parse_scale("2.5") == 2.5
-    with pytest.raises(StyleError, match="no scale"):
+    with pytest.raises(StyleError, match="not a valid scale"):
         parse_scale(text)
 
 

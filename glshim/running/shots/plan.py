@@ -105,7 +105,7 @@ def parse_size(text: str) -> Size:
     """``6000x4500``. Raises `StyleError`."""
     found = re.fullmatch(r"\s*([0-9]{1,6})\s*[xX]\s*([0-9]{1,6})\s*", text)
     if not found or not int(found[1]) or not int(found[2]):
-        raise StyleError(f"{text!r} is no size: write WIDTHxHEIGHT in pixels, e.g. 6000x4500")
+        raise StyleError(f"{text!r} is not a valid size: write WIDTHxHEIGHT, e.g. 6000x4500")
     return int(found[1]), int(found[2])
 
 
@@ -116,5 +116,5 @@ def parse_scale(text: str) -> float:
     except ValueError:
         scale = 0.0
     if not 0.01 <= scale <= 1000.0:
-        raise StyleError(f"{text!r} is no scale: give a number from 0.01 to 1000")
+        raise StyleError(f"{text!r} is not a valid scale: give a number from 0.01 to 1000")
     return scale

@@ -1,0 +1,55 @@
+"""Pictures of frames that a key saves, each in a file of its own."""
+
+from __future__ import annotations
+
+import re
+import sys
+from itertools import count
+from pathlib import Path
+
+from glshim.notices import say
+from glshim.outputs.gl.frame.grab import grab
+from glshim.toolkits import frames
+
+
+class Pictures:
+    """Writes pictures of frames, each to a file of its own."""
+
+    def __init__(self, folder: str) -> None:
+        self._folder = Path(folder)
+        self._program = program_name()
+
+    def save(self, style: str) -> None:
+        """The frame that is about to be presented, as
+        ``glshim-PROGRAM-STYLE-NNN.png``; a line says where, or why not."""
+        size = frames.drawable_size()
+        if size is not None and 0 in size:
+            return
+        name = f"glshim-{self._program}-{_word(style)}"
+        try:
+            self._folder.mkdir(parents=True, exist_ok=True)
+            picture = grab(size, frames.drawable_framebuffer())
+            for number in count(1):
+                path = self._folder / f"{name}-{number:03d}.png"
+                try:
+                    with path.open("xb") as file:
+                        picture.save(file, "PNG")
+                except FileExistsError:
+                    continue
+                say(f"saved {path}")
+                return
+        except OSError as error:
+            say(f"cannot save a picture in {self._folder}: {error.strerror or error}")
+
+
+def program_name() -> str:
+    """The program's, as part of a file's name."""
+    main = sys.modules.get("__main__")
+    spec = getattr(main, "__spec__", None)
+    if spec is not None:  # python -m package, or package.module
+        return _word(spec.name.removesuffix(".__main__").rpartition(".")[2])
+    return _word(Path(getattr(main, "__file__", "") or "program").stem)
+
+
+def _word(text: str) -> str:
+    return re.sub(r"[^A-Za-z0-9_.]+", "_", text).strip("._") or "program"
