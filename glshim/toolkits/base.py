@@ -153,6 +153,7 @@ class Toolkit:
             hook.put(module, changes)
         except Exception as error:  # an import of the app's must not fail for us
             changes.undo()
+            del self._hooked[key]
             say_fault(f"{self.name}: {hook.place} is not hooked ({hook.part.value})", error)
 
     def release(self, part: Part) -> None:

@@ -1,25 +1,156 @@
-"""Frame ends of toolkits that need not be installed: stand-ins in the shape of their modules."""
+"""The contract of toolkits, on each of them: on stand-ins in the shape of their modules, and on the
+modules themselves where they are installed. What is particular to one follows."""
 
 from __future__ import annotations
 
 import functools
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from glshim.toolkits import frames
+from glshim import toolkits
+from glshim.commands import doctor
+from glshim.toolkits import Part, Toolkit, frames
 from glshim.toolkits.base import Changes
 from glshim.toolkits.qt import Qt
 from glshim.toolkits.wx import Wx
 
+from .toolkit_checks import CHECKS
+from .toolkit_rigs import RIGS, Rig
+
+ROOT = Path(__file__).parents[2]
+
 
 @pytest.fixture
-def log(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """What happened, with a context current and a listener that says where it was called."""
-    happened: list[str] = []
+def current(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A context is current, and nobody listens."""
     monkeypatch.setattr(frames, "_context_is_current", lambda: True)
     monkeypatch.setattr(frames, "_listeners", ())
+
+
+@pytest.mark.usefixtures("current")
+@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.__name__)
+@pytest.mark.parametrize("name", RIGS)
+def test_contract(name: str, check: Callable[[Rig], None], monkeypatch: pytest.MonkeyPatch) -> None:
+    rig = RIGS[name]()
+    for module, stand_in in rig.modules.items():
+        stand_in.__spec__ = None
+        monkeypatch.setitem(sys.modules, module, stand_in)
+    check(rig)
+
+
+@pytest.mark.parametrize("name", ["glfw", "GLUT", "GLUT, single-buffered", "pygame"])
+def test_contract_on_the_toolkit_itself(name: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.contract.toolkits_themselves", name],
+        env={**os.environ, "PYGAME_HIDE_SUPPORT_PROMPT": "1"},
+        cwd=ROOT, capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout.split()) == (0, ["ok"] * len(CHECKS)), done.stderr
+
+
+def test_every_toolkit_keeps_the_contract() -> None:
+    """A new file is under it as soon as it is there."""
+    kept = {rig().toolkit.name for rig in RIGS.values()}
+    assert {toolkit.name for toolkit in toolkits.known()} == kept
+    assert {toolkit.name for toolkit in toolkits.known()} - {"stub"} == {
+        toolkit.name for toolkit in toolkits.used()
+    }
+
+
+def test_reading_the_files_imports_no_toolkit() -> None:
+    code = (
+        "import sys; from glshim import toolkits; names = {t.package for t in toolkits.known()}; "
+        "print(*(names & set(sys.modules)), 'numpy' in sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert done.stdout == "False\n"
+
+
+def test_a_toolkit_is_one_file() -> None:
+    """Nothing outside the toolkits' folder names one."""
+    names = {
+        Path(module.__file__ or "").stem
+        for module in (import_module(type(each).__module__) for each in toolkits.known())
+    }
+    asking = [f"glshim.toolkits.{name}" for name in sorted(names)]
+    found = [
+        path for path in (ROOT / "glshim").rglob("*.py")
+        if any(f"{name} import" in path.read_text(encoding="utf-8") for name in asking)
+    ]  # fmt: skip
+    assert found == []
+
+
+def test_a_new_file_is_found_and_hooked(tmp_path: Path) -> None:
+    """The stub under another name, in a copy of glshim, with a package of that name."""
+    shutil.copytree(ROOT / "glshim", tmp_path / "glshim", ignore=shutil.ignore_patterns("*.pyc"))
+    folder = tmp_path / "glshim" / "toolkits"
+    stub = (folder / "stub.py").read_text(encoding="utf-8").replace("example = True", "")
+    (folder / "newkit.py").write_text(stub.replace('"stub', '"newkit'), encoding="utf-8")
+    package = "def show(window): return 7\ndef next_event(): return None\ndef seconds(): return 9"
+    (tmp_path / "newkit.py").write_text(package, encoding="utf-8")
+    code = (
+        "from glshim.running import startup; startup.arm(); from newkit import show, seconds; "
+        "from glshim import toolkits; Part = toolkits.Part; "
+        "(kit,) = [kit for kit in toolkits.used() if kit.name == 'newkit']; "
+        "print(kit.is_hooked(Part.FRAMES), kit.is_hooked(Part.KEYS), seconds())"
+    )
+    environ = {**os.environ, "PYTHONPATH": str(tmp_path), "GLSHIM_KEYS": "on", "GLSHIM_STILL": "1"}
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", code], cwd=tmp_path, env=environ,
+        capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("True True 0.0\n", "")
+
+
+@pytest.mark.parametrize("toolkit", toolkits.used(), ids=lambda toolkit: toolkit.name)
+def test_doctor_and_readme_say_what_it_does_and_lacks(
+    toolkit: Toolkit, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(toolkits, "used", lambda: (toolkit,))
+    monkeypatch.setattr(doctor, "find_spec", lambda name: name == toolkit.package)
+    doctor._toolkits()
+    said = capsys.readouterr().out
+    for words in (toolkit.name, *toolkit.places(Part.FRAMES), *toolkit.lacks.values()):
+        assert words in said
+    readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("`", "")
+    for place in toolkit.places(Part.FRAMES):
+        assert place.partition(" (")[0] in readme
+
+
+@pytest.mark.usefixtures("current")
+def test_a_hook_that_fails_leaves_the_toolkit_plain(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rig = RIGS["glfw"]()
+    module = rig.modules["glfw"]
+    del module._glfw.glfwSetKeyCallback
+    found = dict(vars(module._glfw))
+    module.__spec__ = None
+    monkeypatch.setitem(sys.modules, "glfw", module)
+    rig.toolkit.watch(Part.KEYS)
+    assert vars(module._glfw) == found
+    assert not rig.toolkit.is_hooked(Part.KEYS)
+    assert "glfw: glfw.set_key_callback is not hooked (keys)" in capsys.readouterr().err
+
+
+# -- in particular ---------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def log(current: None) -> list[str]:
+    """What happened, with a context current and a listener that says where it was called."""
+    happened: list[str] = []
     frames.listen(
         frames.Stage.DRAW,
         before=lambda: happened.append(
