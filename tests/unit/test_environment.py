@@ -7,10 +7,11 @@ from pathlib import Path
 import pytest
 
 import _glshim_start
-from glshim.control.keys import DEFAULTS, Keys, LiveSettings, parse_keys
+from glshim.control.keys import DEFAULTS, KEYS, Keys, LiveSettings, parse_keys
 from glshim.errors import StyleError
-from glshim.running import environment
+from glshim.running import environment, session, startup, stillness
 from glshim.running.environment import Settings, parse_capture, parse_frames
+from glshim.running.shots import plan
 
 ROOT = Path(__file__).parents[2]
 
@@ -20,6 +21,12 @@ def test_what_starts_glshim_is_what_the_startup_files_look_for() -> None:
     assert starting == _glshim_start.VARIABLES
     quoted = ", ".join(f'"{name}"' for name in starting)
     assert f"({quoted})" in (ROOT / "glshim.pth").read_text()
+
+
+def test_names_that_are_written_twice_to_load_nothing_are_the_same() -> None:
+    assert startup.KEYS == KEYS
+    assert session.SHOT == plan.VARIABLE
+    assert f'"{stillness.VARIABLE}"' in Path(startup.__file__).read_text()
 
 
 def test_the_page_lists_every_variable_with_what_it_does() -> None:
