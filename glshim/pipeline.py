@@ -17,7 +17,7 @@ from glshim.model.batch import Wanted
 from glshim.notices import say_fault
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
-from glshim.outputs.gl.frame.cover import Surface
+from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.gl.frame.sheet import SHEET
 from glshim.sources.fixed.state import light
 from glshim.sources.follower import Follower
@@ -63,7 +63,7 @@ class Pipeline:
         """
         self.counted = Counted()
         """The frame so far; whole when the listeners of later stages are called."""
-        self._surface = Surface()
+        self._cover = Cover()
         self._follower = Follower(self)
         self._broken = False
         self._listener: frames.Listener | None = None
@@ -91,7 +91,7 @@ class Pipeline:
         if styler is not None and not styler.wants_polygons:
             styler = None
         self.styler = styler
-        self._surface.wear(styler.surface if styler is not None else "app")
+        self._cover.set_surface(styler.surface if styler is not None else "app")
         self._follower.restyle(
             Wanted(
                 colours=styler.wants_colours, normals=styler.wants_normals,
@@ -116,11 +116,11 @@ class Pipeline:
             self._listener.stop()
         C_LIBRARIES.detach()
         WATCH.detach()
-        self._surface.uncover()
+        self._cover.uncover()
 
     def release(self) -> None:
         """Give back what the current context holds for this style alone."""
-        self._surface.release()
+        self._cover.release()
 
     def give_up(self, error: BaseException) -> None:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""
@@ -137,17 +137,15 @@ class Pipeline:
 
     def cover(self) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
-        if self._surface.changes:
-            self._surface.cover()
+        self._cover.cover()
 
     def uncover(self) -> None:
         """After it."""
-        if self._surface.changes:
-            self._surface.uncover()
+        self._cover.uncover()
 
     def context_renewed(self) -> None:
         """A context that is gone left its address to a new one."""
-        self._surface.forget()
+        self._cover.forget()
 
     def layer_ends(self, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the backend adds it."""

@@ -83,7 +83,7 @@ def print_memory() -> None:
     from glshim.outputs.gl.device.guard import Guard
     from tests import look
     from tests.benchmarks import scenes
-    from tests.decision.edge_mesh import runner
+    from tests.captured import CapturingRunner
     from tests.score import meshes
 
     quads = scenes.sphere(100_000)[:, :, 3:].reshape(-1, 3)
@@ -95,7 +95,7 @@ def print_memory() -> None:
     print("| mesh | vertices | edges | input mesh | edge mesh | of that edges | ratio | paper |")
     print("|---|--:|--:|--:|--:|--:|--:|--:|")
     with look.window():
-        run_ = runner()
+        run_ = CapturingRunner()
         for name, batch in made.items():
             with Guard():
                 resident = run_.residents.find((batch,))

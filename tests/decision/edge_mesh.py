@@ -16,16 +16,15 @@ from math import cos, radians
 import numpy as np
 
 from glshim.geometry.meshshaders.edge_mesh import features
-from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
-from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.frame.depth import DepthCopy
-from glshim.outputs.gl.passes.runner import Runner, seen_from
+from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.passes import MeshShader, Pass, Primitives
 from glshim.styling.values import Body
 from tests import look
+from tests.captured import CapturingRunner
 from tests.score import meshes as scored
 
 BAND = 1e-6
@@ -60,13 +59,6 @@ class Row:
     """They differ where float32 is sure."""
 
 
-def runner() -> Runner:
-    """In the current context."""
-    backend = Backend.attach()
-    with Guard():
-        return Runner(backend.pen.context, Objects(1 << 28), 1 << 28)  # type: ignore[union-attr]
-
-
 def cameras(count: int = VIEWS) -> list[Camera]:
     """In perspective and in parallel, in turns."""
     return [
@@ -76,7 +68,7 @@ def cameras(count: int = VIEWS) -> list[Camera]:
     ]  # fmt: skip
 
 
-def decided(run: Runner, one: Pass) -> np.ndarray:
+def decided(run: CapturingRunner, one: Pass) -> np.ndarray:
     """(E,) bits as the GPU has them."""
     with Guard():
         found = run.varyings(one, {"decided": 1}, depth=DepthCopy(), hair=0.0)
@@ -112,7 +104,7 @@ def unsure(indices: np.ndarray, positions: np.ndarray, eye: np.ndarray) -> np.nd
     return found & (v3 != v0) & (v3 != v1)
 
 
-def compare(run: Runner, mesh: PolygonBatch, views: list[Camera]) -> Row:
+def compare(run: CapturingRunner, mesh: PolygonBatch, views: list[Camera]) -> Row:
     row = Row()
     for camera in views:
         body = Body((mesh,), camera)
@@ -136,7 +128,7 @@ def compare(run: Runner, mesh: PolygonBatch, views: list[Camera]) -> Row:
 def main() -> int:
     wrong = 0
     with look.window():
-        run = runner()
+        run = CapturingRunner()
         print("| mesh | edges seen | features | unsure | GPU differs | outside the band |")
         print("|---|---|---|---|---|---|")
         for name, make in MESHES.items():

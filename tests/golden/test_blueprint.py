@@ -15,6 +15,7 @@ from glshim.styling.protocol import Layer, Lines
 from stylers.blueprint import Blueprint
 from stylers.blueprint.dimensions import characters
 from tests import look
+from tests.captured import CapturingPen
 
 CAMERA = Camera(look.look_at((6, 4, 4)), look.perspective(), (0, 0, 400, 400))
 SIZES = (1.25, 2.0, 0.8)
@@ -82,7 +83,7 @@ def lengths(backend, mesh, camera=CAMERA, **options):
     shader = replace(medium.shader, vertex=text)
     (group,) = grouped([last])
     records = backend._harvest.records(group)
-    found = backend.pen.varyings(
+    found = CapturingPen().varyings(
         records, replace(camera, depth_range=(0.0, 1.0)), shader, medium.uniforms,
         {"dimension": 2}, hair=hair_of(24),
     )  # fmt: skip

@@ -17,7 +17,7 @@ from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from stylers.crease import CREASES, SILHOUETTES
 from tests import creased, look
-from tests.decision import edge_mesh as decision
+from tests.captured import CapturingRunner
 from tests.golden.test_crease import wide
 
 VIEW = (10, 20, 640, 360)
@@ -37,7 +37,7 @@ NAMES = {"gl_Position": 4, "spot": 3, "extent": 3, "line_a": 3, "line_b": 3}
 @pytest.fixture(scope="module")
 def run():
     with look.window():
-        yield decision.runner()
+        yield CapturingRunner()
 
 
 def emitted(run, mesh, camera, shader, width):

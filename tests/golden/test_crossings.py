@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import moderngl
 import numpy as np
 import pytest
 from OpenGL import GL
@@ -32,7 +31,7 @@ class Finder:
 
     def __init__(self) -> None:
         with Guard():
-            self.crossings = Crossings(moderngl.create_context(require=330))
+            self.crossings = Crossings()
             self.depth = DepthCopy()
 
     def __call__(self, *items, drawn=None, greater=False):

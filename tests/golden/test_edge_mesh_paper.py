@@ -22,6 +22,7 @@ from glshim.styling.protocol import Layer
 from glshim.styling.values import Body
 from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes
 from tests import look
+from tests.captured import CapturingRunner
 from tests.decision import edge_mesh as decision
 from tests.figures import mcguire
 from tests.score import meshes as scored
@@ -33,7 +34,7 @@ VIEW = (10, 20, 640, 360)
 @pytest.fixture(scope="module")
 def run():
     with look.window():
-        yield decision.runner()
+        yield CapturingRunner()
 
 
 @pytest.mark.parametrize("name", decision.MESHES)

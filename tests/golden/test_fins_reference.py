@@ -17,7 +17,7 @@ from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.styling.protocol import Layer
 from stylers.fins import Fins, as_printed
 from tests import look
-from tests.decision import edge_mesh as decision
+from tests.captured import CapturingRunner
 
 SHAPE: dict[str, Any] = {"half_width": 2.5, "overhang": 0.3, "spine": False}
 """Without the spine test, which leaves out short fins that it says are hidden."""
@@ -72,7 +72,7 @@ CAMERAS = {
 @pytest.fixture(scope="module")
 def run():
     with look.window():
-        yield decision.runner()
+        yield CapturingRunner()
 
 
 def six_of(mesh):

@@ -26,6 +26,7 @@ from glshim.styling.wishes import Choice
 from stylers.raskar import SHADER
 from stylers.raskar.expansion import expand
 from tests import look
+from tests.captured import CapturingPen
 
 VIEW = (10, 20, 640, 360)
 HAIR = 3e-7
@@ -112,14 +113,19 @@ def backend():
         yield Backend.attach()
 
 
+@pytest.fixture(scope="module")
+def pen(backend):
+    return CapturingPen()
+
+
 @pytest.mark.parametrize("camera", cameras().values(), ids=cameras().keys())
 @pytest.mark.parametrize("angle", [60.0, 120.0, 180.0, 250.0])
 @pytest.mark.parametrize("name", ["cube", "torus", "bowl"])
-def test_gpu_strokes_are_the_reference(backend, camera, angle, name):
+def test_gpu_strokes_are_the_reference(pen, camera, angle, name):
     """All that the vertex shader gives, as near as rounding the inputs to float32 lets it be."""
     angle = np.radians(angle)
     records = records_of(look.MESHES[name](), camera, angle)
-    found = backend.pen.varyings(
+    found = pen.varyings(
         records, camera, SHADER, uniforms_of(angle), OUTPUTS, hair=HAIR
     )
     drawn, wanted = reference(records, camera, angle)

@@ -6,7 +6,6 @@ from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import groupby
 
-import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
@@ -76,9 +75,7 @@ class Backend:
             try:
                 if (version() or MODERN) < MODERN:
                     return cls(LegacyPen(), None, cache_bytes)
-                context = moderngl.create_context(require=330)
-                crossings = Crossings(context, cache_bytes // 2)
-                return cls(Pen(context, ring_bytes), crossings, cache_bytes)
+                return cls(Pen(ring_bytes), Crossings(cache_bytes // 2), cache_bytes)
             except Exception as error:
                 text = f"no drawing in this context ({version_text()}): {error}"
                 raise RenderError(text) from error
@@ -125,7 +122,7 @@ class Backend:
             say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
             return
         if self._runner is None:
-            self._runner = Runner(self.pen.context, self._harvest.objects, self._cache_bytes)
+            self._runner = Runner(self._harvest.objects, self._cache_bytes)
         for camera, some in _by_stencil(passes):
             self._runner.run(
                 some, window, box, self._depth, self._textures,

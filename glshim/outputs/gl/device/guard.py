@@ -23,7 +23,6 @@ _RENDERBUFFER = 0x8CA7
 _ACTIVE_TEXTURE = 0x84E0
 _SWITCHES = (
     0x8C89,  # rasterizer discard
-    0x884F,  # seamless cube maps, which moderngl turns on in a new context
     0x8F9D,  # primitive restart
     0x8458,  # colour sum, which Mesa forgets
 )

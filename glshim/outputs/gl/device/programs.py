@@ -1,84 +1,218 @@
-"""Programs: moderngl's, and through the bare driver, in GLSL that every version from 2.1 on has."""
+"""Programs and their uniforms: all of them, in GLSL of every version from 1.20 on."""
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib.resources import files
 from typing import Any
 
-import moderngl
 import numpy as np
 
 from glshim.errors import RenderError
-from glshim.spec.driver import gl
+from glshim.spec.constants import (
+    GL_ACTIVE_UNIFORMS,
+    GL_BOOL,
+    GL_BOOL_VEC2,
+    GL_BOOL_VEC3,
+    GL_BOOL_VEC4,
+    GL_FLOAT,
+    GL_FLOAT_MAT2,
+    GL_FLOAT_MAT3,
+    GL_FLOAT_MAT4,
+    GL_FLOAT_VEC2,
+    GL_FLOAT_VEC3,
+    GL_FLOAT_VEC4,
+    GL_FRAGMENT_SHADER,
+    GL_GEOMETRY_SHADER,
+    GL_INT,
+    GL_INT_VEC2,
+    GL_INT_VEC3,
+    GL_INT_VEC4,
+    GL_INTERLEAVED_ATTRIBS,
+    GL_LINK_STATUS,
+    GL_UNSIGNED_INT,
+    GL_UNSIGNED_INT_VEC2,
+    GL_UNSIGNED_INT_VEC3,
+    GL_UNSIGNED_INT_VEC4,
+    GL_VERTEX_SHADER,
+    GL_FLOAT_MAT2x3,
+    GL_FLOAT_MAT2x4,
+    GL_FLOAT_MAT3x2,
+    GL_FLOAT_MAT3x4,
+    GL_FLOAT_MAT4x2,
+    GL_FLOAT_MAT4x3,
+)
+from glshim.spec.driver import gl, quick
 
-_VERTEX, _FRAGMENT = 0x8B31, 0x8B30
-_LINKED = 0x8B82
+_INFO_BYTES = 4096
+"""Of what a driver says about a shader, at most."""
+_SETTERS: dict[int, tuple[str, int, type[np.generic]]] = {
+    kind: (f"glUniform{size}{letter}v", size, numbers)
+    for letter, numbers, kinds in (
+        ("f", np.float32, (GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4)),
+        ("i", np.int32, (GL_INT, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4)),
+        ("i", np.int32, (GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4)),
+        ("ui", np.uint32, (GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3,
+                           GL_UNSIGNED_INT_VEC4)),
+    )
+    for size, kind in enumerate(kinds, 1)
+}  # fmt: skip
+"""By type of a uniform: what sets it, how many numbers one has, and what those are."""
+_SETTERS |= {
+    kind: (f"glUniformMatrix{shape}fv", size, np.float32)
+    for kind, shape, size in (
+        (GL_FLOAT_MAT2, "2", 4), (GL_FLOAT_MAT3, "3", 9), (GL_FLOAT_MAT4, "4", 16),
+        (GL_FLOAT_MAT2x3, "2x3", 6), (GL_FLOAT_MAT2x4, "2x4", 8), (GL_FLOAT_MAT3x2, "3x2", 6),
+        (GL_FLOAT_MAT3x4, "3x4", 12), (GL_FLOAT_MAT4x2, "4x2", 8), (GL_FLOAT_MAT4x3, "4x3", 12),
+    )
+}  # fmt: skip
+
+
+@dataclass(slots=True)
+class _Uniform:
+    """One that a program uses."""
+
+    location: int
+    length: int
+    """Elements of an array, else 1."""
+    size: int
+    """Numbers of an element."""
+    numbers: type[np.generic]
+    setter: Callable[..., Any]
+    is_matrix: bool
+    said: Any = field(default=None)
+    """Its value now."""
+
+    def set(self, value: Any) -> None:
+        """Of the program in use. Raises `ValueError` for numbers that are not its own."""
+        said = self.said
+        if isinstance(value, np.ndarray):
+            if said is value:
+                return
+        elif not isinstance(said, np.ndarray) and said == value:
+            return
+        rows = np.asarray(value)
+        count, rest = divmod(rows.size, self.size)
+        if rest or not count or count > self.length == 1:
+            raise ValueError(f"{rows.size} numbers for {self.size} x {self.length}")
+        if self.numbers is not np.float32 and rows.dtype.kind == "f":
+            raise ValueError("not whole numbers")
+        count = min(count, self.length)  # compilers drop the end of an array that nothing reads
+        data = rows.astype(self.numbers).tobytes()
+        if self.is_matrix:
+            self.setter(self.location, count, 0, data)
+        else:
+            self.setter(self.location, count, data)
+        self.said = value
 
 
 class Program:
-    """A program of moderngl's; uniforms that it does not have are passed over."""
+    """A program of the current context; uniforms that it does not have are passed over."""
 
-    def __init__(self, made: Any) -> None:
-        self.made = made
-        self.name = int(made.glo)
-        members = {name: made[name] for name in made}
-        self._uniforms = {n: m for n, m in members.items() if isinstance(m, moderngl.Uniform)}
-        self._said: dict[str, Any] = {}
+    def __init__(
+        self,
+        name: str,
+        vertex: str,
+        fragment: str = "",
+        geometry: str = "",
+        *,
+        attributes: Sequence[str] = (),
+        captured: Sequence[str] = (),
+    ) -> None:
+        """From GLSL texts; an empty one leaves its stage to the fixed function, or out. attributes:
+        vertex attributes by location. captured: outputs that transform feedback takes. Raises
+        `RenderError` with the driver's words when it does not compile."""
+        self.name = int(gl.glCreateProgram())
+        stages = ((GL_VERTEX_SHADER, vertex), (GL_GEOMETRY_SHADER, geometry),
+                  (GL_FRAGMENT_SHADER, fragment))  # fmt: skip
+        for kind, text in stages:
+            if text:
+                self._attach(kind, text)
+        for location, attribute in enumerate(attributes):
+            gl.glBindAttribLocation(self.name, location, attribute.encode("ascii"))
+        if captured:
+            names = (ctypes.c_char_p * len(captured))(*(each.encode("ascii") for each in captured))
+            gl.glTransformFeedbackVaryings(self.name, len(names), names, GL_INTERLEAVED_ATTRIBS)
+        gl.glLinkProgram(self.name)
+        if not self._integer(GL_LINK_STATUS):
+            words = self._words()
+            self.release()
+            raise RenderError(f"shader {name!r} does not compile: {words}")
+        self._uniforms = dict(self._used())
+
+    def use(self, *values: Mapping[str, Any]) -> None:
+        """Draw with it from now on, with uniforms by name. Arrays as they lie in memory (matrices
+        columns first), and not to be changed later: what is there already is not sent again."""
+        gl.glUseProgram(self.name)
+        for some in values:
+            self.set(some)
+
+    def set(self, values: Mapping[str, Any]) -> None:
+        """Uniforms by name, while it is in use."""
+        for name, value in values.items():
+            uniform = self._uniforms.get(name)
+            if uniform is None:
+                continue
+            try:
+                uniform.set(value)
+            except ValueError as error:
+                raise ValueError(f"uniform {name!r} cannot be {value!r}: {error}") from error
 
     def wants(self, name: str) -> bool:
         """Whether it has a uniform."""
         return name in self._uniforms
 
-    def set(self, values: Mapping[str, Any]) -> None:
-        """Uniforms by name; arrays as they lie in memory, columns first, and not to be changed
-        later: what is there already is not sent again."""
-        for name, value in values.items():
-            found = self._uniforms.get(name)
-            if found is None:
-                continue
-            before = self._said.get(name)
-            if isinstance(value, np.ndarray):
-                if before is value:
-                    continue
-                found.write(np.ascontiguousarray(value, np.float32))
-            elif isinstance(before, np.ndarray) or before != value:
-                found.value = value
-            self._said[name] = value
+    def release(self) -> None:
+        """Delete it. In its context."""
+        gl.glDeleteProgram(self.name)
 
-
-def compiled(name: str, vertex: str, fragment: str, attributes: Sequence[str] = ()) -> int:
-    """The GL name of a program whose vertex attributes lie at their place in the sequence, from
-    GLSL texts; an empty one leaves its stage to the fixed function. Raises `RenderError` with the
-    driver's words when it does not link."""
-    program = int(gl.glCreateProgram())
-    for kind, text in ((_VERTEX, vertex), (_FRAGMENT, fragment)):
-        if not text:
-            continue
+    def _attach(self, kind: int, text: str) -> None:
         shader = gl.glCreateShader(kind)
-        source = text.encode("ascii")
+        source = text.encode("utf-8")
         pointer, length = ctypes.c_char_p(source), ctypes.c_int(len(source))
         gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
         gl.glCompileShader(shader)
-        gl.glAttachShader(program, shader)
+        gl.glAttachShader(self.name, shader)
         gl.glDeleteShader(shader)
-    for location, attribute in enumerate(attributes):
-        gl.glBindAttribLocation(program, location, attribute.encode("ascii"))
-    gl.glLinkProgram(program)
-    linked = ctypes.c_int()
-    gl.glGetProgramiv(program, _LINKED, ctypes.byref(linked))
-    if not linked.value:
-        raise RenderError(f"program {name!r} does not link in this context: {_words(program)}")
-    return program
+
+    def _integer(self, what: int) -> int:
+        value = ctypes.c_int()
+        gl.glGetProgramiv(self.name, what, ctypes.byref(value))
+        return value.value
+
+    def _words(self) -> str:
+        """What the driver says about it and its shaders."""
+        text = ctypes.create_string_buffer(_INFO_BYTES)
+        count, shaders = ctypes.c_int(), (ctypes.c_uint * 8)()
+        gl.glGetProgramInfoLog(self.name, len(text), None, text)
+        said = [text.value]
+        gl.glGetAttachedShaders(self.name, len(shaders), ctypes.byref(count), shaders)
+        for shader in shaders[: count.value]:
+            gl.glGetShaderInfoLog(shader, len(text), None, text)
+            said.append(text.value)
+        return b" ".join(said).decode("utf-8", "replace").strip()
+
+    def _used(self) -> Iterator[tuple[str, _Uniform]]:
+        """The uniforms by name, without those in blocks."""
+        length, kind = ctypes.c_int(), ctypes.c_uint()
+        text = ctypes.create_string_buffer(256)
+        for i in range(self._integer(GL_ACTIVE_UNIFORMS)):
+            gl.glGetActiveUniform(
+                self.name, i, len(text), None, ctypes.byref(length), ctypes.byref(kind), text
+            )
+            location = int(gl.glGetUniformLocation(self.name, text.value))
+            if location < 0:
+                continue
+            # Samplers of every type take an integer.
+            setter, size, numbers = _SETTERS.get(kind.value, _SETTERS[GL_INT])
+            yield text.value.decode("ascii").removesuffix("[0]"), _Uniform(
+                location, length.value, size, numbers, quick(setter), "Matrix" in setter
+            )
 
 
-def _words(program: int) -> str:
-    """What the driver says about a program and its shaders."""
-    count, shaders, text = ctypes.c_int(), (ctypes.c_uint * 8)(), ctypes.create_string_buffer(2048)
-    gl.glGetProgramInfoLog(program, len(text), None, text)
-    said = [text.value]
-    gl.glGetAttachedShaders(program, 8, ctypes.byref(count), shaders)
-    for shader in shaders[: count.value]:
-        gl.glGetShaderInfoLog(shader, len(text), None, text)
-        said.append(text.value)
-    return b" ".join(said).decode("utf-8", "replace").strip()
+def shader_text(*names: str) -> str:
+    """Files of the folder ``shaders``, one after another."""
+    folder = files("glshim.outputs.gl") / "shaders"
+    return "".join((folder / name).read_text("utf-8") for name in names)

@@ -1,79 +1,68 @@
-"""Rows of numbers in the driver's memory: textures that shaders look up by number, and indices."""
+"""Rows of numbers as textures that shaders look up by number."""
 
 from __future__ import annotations
-
-import ctypes
-from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.outputs.gl.device.names import made
+from glshim.spec.constants import (
+    GL_FLOAT,
+    GL_INT,
+    GL_NEAREST,
+    GL_PIXEL_UNPACK_BUFFER,
+    GL_RGBA,
+    GL_RGBA16_SNORM,
+    GL_RGBA32F,
+    GL_RGBA32I,
+    GL_RGBA_INTEGER,
+    GL_SHORT,
+    GL_TEXTURE0,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_MAG_FILTER,
+    GL_TEXTURE_MAX_LEVEL,
+    GL_TEXTURE_MIN_FILTER,
+    GL_UNPACK_ALIGNMENT,
+    GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SKIP_ROWS,
+)
 from glshim.spec.driver import gl
 
 WIDTH = 2048
 """Texels in a row of a texture that has more than one."""
 _ANY_UNIT = 6
-_ELEMENT_BUFFER, _STREAM_DRAW = 0x8893, 0x88E0
-_TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
-_FLOAT, _INT, _SHORT, _RGBA, _RGBA_INTEGER = 0x1406, 0x1404, 0x1402, 0x1908, 0x8D99
-_RGBA_32F, _RGBA_32I, _RGBA_16_SNORM = 0x8814, 0x8D82, 0x8F9B
-_PLAIN = ((0x2801, 0x2600), (0x2800, 0x2600), (0x813D, 0))  # nearest, one level
-
-
-def made(make: str) -> int:
-    """The name of a new object, by the function that makes it."""
-    value = ctypes.c_uint()
-    getattr(gl, make)(1, ctypes.addressof(value))
-    return value.value
+_FORMATS = {
+    np.dtype(np.float32): (GL_RGBA32F, GL_RGBA, GL_FLOAT),
+    np.dtype(np.int32): (GL_RGBA32I, GL_RGBA_INTEGER, GL_INT),
+    np.dtype(np.int16): (GL_RGBA16_SNORM, GL_RGBA, GL_SHORT),
+}
+"""Format of the texture, layout and type of its texels."""
+_PARAMETERS = (
+    (GL_TEXTURE_MIN_FILTER, GL_NEAREST), (GL_TEXTURE_MAG_FILTER, GL_NEAREST),
+    (GL_TEXTURE_MAX_LEVEL, 0),
+)  # fmt: skip
+_UNPACKING = (
+    (GL_UNPACK_ALIGNMENT, 4), (GL_UNPACK_ROW_LENGTH, 0), (GL_UNPACK_SKIP_ROWS, 0),
+    (GL_UNPACK_SKIP_PIXELS, 0),
+)  # fmt: skip
 
 
 def upload(rows: NDArray[np.generic]) -> int:
     """The name of a texture whose texels are rows (N, 4)."""
-    kinds = {"f": (_RGBA_32F, _RGBA, _FLOAT), "i": (_RGBA_32I, _RGBA_INTEGER, _INT)}
-    inner, outer, kind = kinds[rows.dtype.kind]
-    if rows.dtype == np.int16:
-        inner, outer, kind = _RGBA_16_SNORM, _RGBA, _SHORT
+    inner, outer, kind = _FORMATS[rows.dtype]
     width, height = min(max(len(rows), 1), WIDTH), max(1, -(-len(rows) // WIDTH))
     padded = np.ascontiguousarray(rows)
     if len(rows) < width * height:
         padded = np.zeros((height * width, 4), rows.dtype)
         padded[: len(rows)] = rows
     name = made("glGenTextures")
-    gl.glActiveTexture(_TEXTURE_0 + _ANY_UNIT)
-    gl.glBindTexture(_TEXTURE_2D, name)
-    gl.glBindBuffer(_UNPACK_BUFFER, 0)
-    for alignment in ((0x0CF5, 4), (0x0CF2, 0), (0x0CF3, 0), (0x0CF4, 0)):
-        gl.glPixelStorei(*alignment)
-    for parameter, value in _PLAIN:
-        gl.glTexParameteri(_TEXTURE_2D, parameter, value)
-    gl.glTexImage2D(_TEXTURE_2D, 0, inner, width, height, 0, outer, kind, padded.ctypes.data)
+    gl.glActiveTexture(GL_TEXTURE0 + _ANY_UNIT)
+    gl.glBindTexture(GL_TEXTURE_2D, name)
+    gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
+    for setting in _UNPACKING:
+        gl.glPixelStorei(*setting)
+    for parameter, value in _PARAMETERS:
+        gl.glTexParameteri(GL_TEXTURE_2D, parameter, value)
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, inner, width, height, 0, outer, kind, padded.ctypes.data)
     return name
-
-
-def delete(textures: Iterable[int]) -> None:
-    """Delete textures by name."""
-    names = list(textures)
-    values = (ctypes.c_uint * len(names))(*names)
-    gl.glDeleteTextures(len(names), ctypes.addressof(values))
-
-
-class Indices:
-    """Indices in a buffer. Use it inside the guard, with a vertex array bound."""
-
-    def __init__(self) -> None:
-        self._name = made("glGenBuffers")
-
-    def bind(self) -> None:
-        """To the vertex array."""
-        gl.glBindBuffer(_ELEMENT_BUFFER, self._name)
-
-    def fill(self, rows: NDArray[np.int32]) -> None:
-        """Bind it and give it its contents."""
-        self.bind()
-        rows = np.ascontiguousarray(rows)
-        gl.glBufferData(_ELEMENT_BUFFER, rows.nbytes, rows.ctypes.data, _STREAM_DRAW)
-
-    def free(self) -> None:
-        """Delete it."""
-        name = ctypes.c_uint(self._name)
-        gl.glDeleteBuffers(1, ctypes.addressof(name))

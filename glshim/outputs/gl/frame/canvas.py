@@ -8,9 +8,8 @@ gets the ink once.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib.resources import files
 
-from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.constants import (
@@ -36,18 +35,11 @@ class Canvas:
     modern: the context has GLSL 1.30. buffers: formats of what else is drawn to."""
 
     def __init__(self, modern: bool, buffers: Sequence[int] = ()) -> None:
-        shaders = files("glshim.outputs.gl") / "shaders"
-        texts = (shaders / name for name in ("over.vert.glsl", "over.frag.glsl"))
         head = f"#version {130 if modern else 120}\n"
-        vertex, fragment = (text.read_text("utf-8") for text in texts)
+        vertex, fragment = shader_text("over.vert.glsl"), shader_text("over.frag.glsl")
         self._over = {  # drivers in software walk through branches that are never taken
-            tidy: compiled("over", head + vertex, head + "#define TIDY\n" * tidy + fragment)
+            tidy: Program("over", head + vertex, head + "#define TIDY\n" * tidy + fragment)
             for tidy in (False, True)
-        }
-        self._at = {
-            (tidy, name): int(gl.glGetUniformLocation(over, name.encode()))
-            for tidy, over in self._over.items()
-            for name in ("ink", "box", "size")
         }
         self._target = RenderTarget(GL_RGBA8, buffers, unit=_UNIT)
 
@@ -86,11 +78,13 @@ class Canvas:
         gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
         gl.glViewport(0, 0, *self.size)
         self._target.bind_texture()
-        gl.glUseProgram(self._over[tidy])
         x, y, width, height = box
-        gl.glUniform1i(self._at[tidy, "ink"], _UNIT)
-        gl.glUniform4f(self._at[tidy, "box"], x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5)
-        gl.glUniform2f(self._at[tidy, "size"], *map(float, self.size))
+        self._over[tidy].use(
+            {
+                "ink": _UNIT, "size": self.size,
+                "box": (x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5),
+            }
+        )  # fmt: skip
         fill_viewport()
 
 

@@ -7,38 +7,32 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
-import ctypes
-from importlib.resources import files
-
-from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
+from glshim.spec.ask import integers, is_enabled
+from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
 from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Colour
 
-_BLEND, _ALPHA_TEST = 0x0BE2, 0x0BC0
 
-
-class Surface:
+class Cover:
     """Covers the app's draws with a styler's surface."""
 
     def __init__(self) -> None:
         self._surface: str | Colour = "app"
-        self._programs: dict[int, tuple[int, int]] = {}
+        self._flats: dict[int, Program] = {}
+        """By context."""
         self._paints: dict[tuple[int, bool], Paint] = {}
         """By context, and whether they have textures."""
-        self._blend = self._alpha = False
-        self._mask = (ctypes.c_int * 4)()
+        self._enabled: list[int] = []
+        """What flat colours turned off."""
+        self._mask: tuple[int, ...] = (1, 1, 1, 1)
         self._covered = False
 
-    def wear(self, surface: str | Colour) -> None:
+    def set_surface(self, surface: str | Colour) -> None:
         """Another one from now on: see `Styler.surface`; ``"app"`` covers nothing."""
         self.uncover()
         self._surface = surface
-
-    @property
-    def changes(self) -> bool:
-        """Whether anything is covered at all."""
-        return self._surface != "app"
 
     def cover(self) -> None:
         """Before the app's draw, outside primitives; no program of the app's is in use."""
@@ -49,15 +43,14 @@ class Surface:
             return
         self._covered = True
         if isinstance(self._surface, str):
-            gl.glGetIntegerv(0x0C23, self._mask)
+            self._mask = integers(GL_COLOR_WRITEMASK, 4)
             gl.glColorMask(0, 0, 0, 0)
             return
-        program, location = self._program()
-        self._blend, self._alpha = bool(gl.glIsEnabled(_BLEND)), bool(gl.glIsEnabled(_ALPHA_TEST))
-        gl.glDisable(_BLEND)
-        gl.glDisable(_ALPHA_TEST)
-        gl.glUseProgram(program)
-        gl.glUniform4f(location, *self._surface, 1.0)
+        program = self._flat()
+        self._enabled = [each for each in (GL_BLEND, GL_ALPHA_TEST) if is_enabled(each)]
+        for switch in self._enabled:
+            gl.glDisable(switch)
+        program.use({"colour": (*self._surface, 1.0)})
 
     def uncover(self) -> None:
         """After it."""
@@ -71,28 +64,27 @@ class Surface:
             gl.glColorMask(*(int(bool(m)) for m in self._mask))
             return
         gl.glUseProgram(0)
-        if self._blend:
-            gl.glEnable(_BLEND)
-        if self._alpha:
-            gl.glEnable(_ALPHA_TEST)
+        for switch in self._enabled:
+            gl.glEnable(switch)
 
     def release(self) -> None:
         """Delete what was made in the current context. Outside glBegin/glEnd."""
-        context = current_context()
-        for textures in (True, False):
-            paint = self._paints.pop((context, textures), None)
-            if paint is not None:
-                paint.release()
-        flat = self._programs.pop(context, None)
-        if flat is not None:
-            gl.glDeleteProgram(flat[0])
+        for made in self._forgotten():
+            made.release()
 
     def forget(self) -> None:
         """What was made in the current context is gone."""
+        self._forgotten()
+
+    def _forgotten(self) -> list[Program | Paint]:
         context = current_context()
-        self._programs.pop(context, None)
+        found: list[Program | Paint] = []
         for textures in (True, False):
-            self._paints.pop((context, textures), None)
+            paint = self._paints.pop((context, textures), None)
+            if paint is not None:
+                found.append(paint)
+        flat = self._flats.pop(context, None)
+        return found if flat is None else [*found, flat]
 
     def _paint(self) -> Paint:
         key = current_context(), self._surface == "paint"
@@ -100,15 +92,10 @@ class Surface:
             self._paints[key] = Paint(textures=key[1])
         return self._paints[key]
 
-    def _program(self) -> tuple[int, int]:
+    def _flat(self) -> Program:
         context = current_context()
-        if context not in self._programs:
-            self._programs[context] = _compile()
-        return self._programs[context]
-
-
-def _compile() -> tuple[int, int]:
-    shaders = files("glshim.outputs.gl") / "shaders"
-    texts = (shaders / f"surface.{kind}.glsl" for kind in ("vert", "frag"))
-    program = compiled("surface", *(text.read_text("utf-8") for text in texts))
-    return program, int(gl.glGetUniformLocation(program, b"colour"))
+        if context not in self._flats:
+            self._flats[context] = Program(
+                "surface", shader_text("surface.vert.glsl"), shader_text("surface.frag.glsl")
+            )
+        return self._flats[context]

@@ -12,28 +12,25 @@ import ctypes
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from importlib.resources import files
-from typing import Any
 
-import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.errors import RenderError
 from glshim.geometry.edges.edges import Doubles, Flags, Indices, join
 from glshim.linework import crossings
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
+from glshim.outputs.gl.device.buffers import Buffer, Ring
 from glshim.outputs.gl.device.names import made
+from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
 from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.outputs.gl.frame.laying import triangles
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
-    GL_ARRAY_BUFFER,
     GL_CLIP_PLANE0,
     GL_COLOR,
     GL_DEPTH_BUFFER_BIT,
@@ -86,7 +83,7 @@ class _Body:
         fans = [int(np.maximum(np.diff(batch.starts) - 2, 0).sum()) for batch in batches]
         self.owner = np.repeat(np.arange(len(batches), dtype=np.int32), fans)
         """(T,) the batch of each."""
-        self.buffer: Any = None
+        self.buffer: Buffer | None = None
         """The corners on the GPU, where they stay."""
 
     def __len__(self) -> int:
@@ -111,8 +108,9 @@ class _Chunk:
     corners: Floats
     """(T, 3, 3) in the space before modelview."""
     modelview: Doubles
-    buffer: int
+    buffer: Buffer | Ring
     offset: int
+    """Bytes to the first in the buffer."""
 
 
 class _Scene:
@@ -161,11 +159,10 @@ class _Scene:
 class Crossings:
     """Finds visible intersections. Make and use it inside the state guard."""
 
-    def __init__(self, context: Any, cache_bytes: int = 128 << 20) -> None:
-        self._context = context
+    def __init__(self, cache_bytes: int = 128 << 20) -> None:
         self._bodies: AgingCache[_Body] = AgingCache(cache_bytes, drop=_Body.release)
-        self._programs: dict[tuple[int, bool], dict[str, Any]] = {}
-        self._ring: Any = None
+        self._programs: dict[tuple[int, bool], Program] = {}
+        self._ring = Ring(1 << 16)
         self._last: tuple[Hashable, Indices, Floats] | None = None
         self._targets = tuple(
             RenderTarget(kind, (GL_DEPTH_COMPONENT32F,), unit=_UNIT)
@@ -224,11 +221,10 @@ class Crossings:
             with np.errstate(all="ignore"):  # an app may send anything
                 eye = [_moved(body.corners, at) for body, at in small]
                 streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
-        ring = self._stream([corners for corners, _ in streamed])
-        chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
-        offset = 0
+        offset = self._ring.put(*(corners for corners, _ in streamed))
+        chunks = [_Chunk(body.corners, at, _held(body), 0) for body, at in kept]
         for corners, at in streamed:
-            chunks.append(_Chunk(corners, at, ring, offset))
+            chunks.append(_Chunk(corners, at, self._ring, offset))
             offset += corners.nbytes
         keys = tuple(key for key, _, _ in placed)
         state = None if None in keys else (tuple(alike), keys)
@@ -242,27 +238,6 @@ class Crossings:
             made = _Body(batches)
             found = self._bodies.put(key, made, 100 * len(made))  # 36 each here, there; 24 beside
         return found
-
-    def _held(self, body: _Body) -> int:
-        """The name of the buffer with a body's corners."""
-        if body.buffer is None:
-            body.buffer = self._context.buffer(body.corners)
-        return int(body.buffer.glo)
-
-    def _stream(self, parts: Sequence[Floats]) -> int:
-        """The name of a buffer in which parts lie one after another."""
-        size = sum(part.nbytes for part in parts)
-        if self._ring is None or size > self._ring.size:
-            if self._ring is not None:
-                self._ring.release()
-            self._ring = self._context.buffer(reserve=max(2 * size, 1 << 16), dynamic=True)
-        else:
-            self._ring.orphan()
-        offset = 0
-        for part in parts:
-            self._ring.write(part, offset=offset)
-            offset += part.nbytes
-        return int(self._ring.glo)
 
     def _seeds(
         self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
@@ -290,22 +265,17 @@ class Crossings:
             gl.glClearBufferuiv(GL_COLOR, 0, ctypes.addressof(nothing))
             _place(camera, box)
             program = self._program(len(planes), bool(trap))
-            gl.glUseProgram(program["glo"])
-            _write(program, "projection", camera.projection.T)
-            _write(program, "clip_planes", np.array(planes))
+            program.use({"projection": camera.projection.T, "clip_planes": planes})
             if trap:
-                program["seen"].value = _UNIT
-                program["away"].value = -1.0 if greater else 1.0
+                program.set({"seen": _UNIT, "away": -1.0 if greater else 1.0})
                 self._targets[0].bind_texture()
             else:
-                program["finished"].value = UNIT
-                program["corner_at"].value = box[:2]
-                program["hair"].value = hair_of(bits) if bits else -1.0
+                hair = hair_of(bits) if bits else -1.0
+                program.set({"finished": UNIT, "corner_at": box[:2], "hair": hair})
                 gl.glBindTexture(GL_TEXTURE_2D, 0)
             for chunk, first in zip(scene.chunks, scene.first.tolist(), strict=False):
-                _write(program, "modelview", chunk.modelview.T)
-                program["first_triangle"].value = first
-                gl.glBindBuffer(GL_ARRAY_BUFFER, chunk.buffer)
+                program.set({"modelview": chunk.modelview.T, "first_triangle": first})
+                chunk.buffer.bind()
                 gl.glVertexAttribPointer(0, 3, GL_FLOAT, 0, 12, chunk.offset)
                 gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(chunk.corners))
         noted = np.empty((box[2] * box[3], 2), np.uint32)
@@ -324,24 +294,24 @@ class Crossings:
         code = crossings.distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
-    def _program(self, planes: int, trap: bool) -> dict[str, Any]:
-        """The program's uniforms by name, and its own name as ``glo``."""
-        planes = min(planes, MOST_CLIP_PLANES)
+    def _program(self, planes: int, trap: bool) -> Program:
         found = self._programs.get((planes, trap))
         if found is None:
             defines = f"#define CLIP_PLANES {planes}\n#define TRAP {int(trap)}\n"
             head = f"#version 330\n{defines}#line 1\n"
-            shaders = files("glshim.outputs.gl") / "shaders"
-            try:
-                program = self._context.program(
-                    vertex_shader=head + (shaders / "crossings.vert.glsl").read_text("utf-8"),
-                    fragment_shader=head + (shaders / "crossings.frag.glsl").read_text("utf-8"),
-                )
-            except moderngl.Error as error:
-                raise RenderError(f"the crossings' shader does not compile: {error}") from error
-            found = {name: program[name] for name in program} | {"glo": program.glo}
-            self._programs[planes, trap] = found
+            found = self._programs[planes, trap] = Program(
+                "crossings", head + shader_text("crossings.vert.glsl"),
+                head + shader_text("crossings.frag.glsl"),
+            )  # fmt: skip
         return found
+
+
+def _held(body: _Body) -> Buffer:
+    """The buffer with a body's corners."""
+    if body.buffer is None:
+        body.buffer = Buffer()
+        body.buffer.fill(body.corners)
+    return body.buffer
 
 
 def _moved(corners: Floats, modelview: Doubles) -> Doubles:
@@ -372,9 +342,3 @@ def _place(camera: Camera, box: Box) -> None:
     scissor(camera, box, (x, y))
     gl.glViewport(left - x, low - y, across, up)
     gl.glDepthRange(*camera.depth_range)
-
-
-def _write(program: dict[str, Any], name: str, value: NDArray[np.float64]) -> None:
-    found = program.get(name)
-    if found is not None:
-        found.write(np.ascontiguousarray(value, np.float32))

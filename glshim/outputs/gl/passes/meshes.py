@@ -20,8 +20,11 @@ from glshim.geometry.recovery.outward import outward
 from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
-from glshim.outputs.gl.device.uploads import Indices, delete, upload
+from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.names import delete
+from glshim.outputs.gl.device.uploads import upload
 from glshim.outputs.gl.passes.sieved import Sieved
+from glshim.spec.constants import GL_ELEMENT_ARRAY_BUFFER, GL_TEXTURE0, GL_TEXTURE_2D
 from glshim.spec.driver import gl
 from glshim.styling.passes import Element
 
@@ -30,7 +33,6 @@ UNITS = {
     "next_positions": 10, "next_normals": 11, "mesh_bones": 10, "mesh_weights": 11,
     "mesh_rest": 12, "mesh_creases": 10,
 }  # fmt: skip
-_TEXTURE_0, _TEXTURE_2D = 0x84C0, 0x0DE1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,7 +46,7 @@ class Resident:
     textures: dict[str, int]
     nbytes: int
     sieved: Sieved
-    _indices: dict[Element, Indices] = field(default_factory=dict)
+    _indices: dict[Element, Buffer] = field(default_factory=dict)
 
     def count(self, element: Element) -> int:
         """Elements of a kind."""
@@ -57,8 +59,8 @@ class Resident:
     def bind(self) -> None:
         """At `UNITS`."""
         for name, texture in self.textures.items():
-            gl.glActiveTexture(_TEXTURE_0 + UNITS[name])
-            gl.glBindTexture(_TEXTURE_2D, texture)
+            gl.glActiveTexture(GL_TEXTURE0 + UNITS[name])
+            gl.glBindTexture(GL_TEXTURE_2D, texture)
 
     def bind_indices(self, element: Element) -> None:
         """Of the triangles, to the vertex array that is bound."""
@@ -66,15 +68,15 @@ class Resident:
         if found is not None:
             found.bind()
             return
-        found = self._indices[element] = Indices()
+        found = self._indices[element] = Buffer(GL_ELEMENT_ARRAY_BUFFER)
         own = self.creases or self.mesh
         found.fill(own.triangles if element == "surface" else self.sieved.indices(element))
 
     def free(self) -> None:
         """Delete the textures and buffers."""
-        delete(self.textures.values())
+        delete("glDeleteTextures", self.textures.values())
         for found in self._indices.values():
-            found.free()
+            found.release()
         self.sieved.free()
 
 
@@ -88,12 +90,12 @@ class Rest:
 
     def bind(self) -> None:
         """At its unit."""
-        gl.glActiveTexture(_TEXTURE_0 + UNITS["mesh_rest"])
-        gl.glBindTexture(_TEXTURE_2D, self.texture)
+        gl.glActiveTexture(GL_TEXTURE0 + UNITS["mesh_rest"])
+        gl.glBindTexture(GL_TEXTURE_2D, self.texture)
 
     def free(self) -> None:
         """Delete the texture."""
-        delete((self.texture,))
+        delete("glDeleteTextures", (self.texture,))
 
 
 class Residents:
@@ -219,12 +221,12 @@ class Posed:
     def bind(self) -> None:
         """At `UNITS`."""
         for name, texture in self._textures.items():
-            gl.glActiveTexture(_TEXTURE_0 + UNITS[name])
-            gl.glBindTexture(_TEXTURE_2D, texture)
+            gl.glActiveTexture(GL_TEXTURE0 + UNITS[name])
+            gl.glBindTexture(GL_TEXTURE_2D, texture)
 
     def release(self) -> None:
         """Delete them."""
-        delete(self._textures.values())
+        delete("glDeleteTextures", self._textures.values())
 
 
 def _four(rows: NDArray[np.floating]) -> NDArray[np.float32]:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import ctypes
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import hypot, isfinite
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.errors import RenderError
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
@@ -18,7 +16,8 @@ from glshim.linework.groups import lens_of
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.device.programs import Program
+from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.textures import Textures
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
 from glshim.outputs.gl.frame.colour import UNIT as COLOUR_UNIT
@@ -29,24 +28,27 @@ from glshim.outputs.gl.passes.gbuffer import GBuffer
 from glshim.outputs.gl.passes.meshes import UNITS, Posed, Resident, Residents
 from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.sieved import UNIT as SIEVED_UNIT
-from glshim.outputs.gl.passes.stage import NOTHING_DRAWN, Stage
+from glshim.outputs.gl.passes.stage import Stage
+from glshim.outputs.gl.passes.state import set_state
+from glshim.spec.constants import (
+    GL_FLOAT,
+    GL_LINES,
+    GL_LINES_ADJACENCY,
+    GL_QUADS,
+    GL_TRIANGLES,
+    GL_TRIANGLES_ADJACENCY,
+    GL_UNSIGNED_INT,
+)
 from glshim.spec.driver import gl
-from glshim.styling.passes import VERTICES, Comparison, Pass, State, Stencil
+from glshim.styling.passes import VERTICES, Pass, State
 from glshim.styling.values import Body
 
-_MODES = {"lines": 0x0001, "triangles": 0x0004, "quads": 0x0007}
-_BY_INDEX = {"surface": (0x0004, 3), "adjacency": (0x000C, 6), "lines": (0x000A, 4)}
-"""Elements that are drawn by index: the mode, and indices of each."""
-_TESTS = {"never": 0x0200, "less": 0x0201, "equal": 0x0202, "lequal": 0x0203, "greater": 0x0204,
-          "notequal": 0x0205, "gequal": 0x0206, "always": 0x0207}  # fmt: skip
-_TURNED: dict[Comparison, Comparison] = {
-    "less": "greater", "lequal": "gequal", "greater": "less", "gequal": "lequal"
+_MODES = {"lines": GL_LINES, "triangles": GL_TRIANGLES, "quads": GL_QUADS}
+BY_INDEX = {
+    "surface": (GL_TRIANGLES, 3), "adjacency": (GL_TRIANGLES_ADJACENCY, 6),
+    "lines": (GL_LINES_ADJACENCY, 4),
 }  # fmt: skip
-_ACTIONS = {"keep": 0x1E00, "replace": 0x1E01, "increase": 0x8507, "decrease": 0x8508, "zero": 0}
-_BLEND, _CULL, _STENCIL, _DEPTH_TEST = 0x0BE2, 0x0B44, 0x0B90, 0x0B71
-_OFFSET, _OFFSET_LINE, _CLAMP, _PRIMITIVE_RESTART = 0x8037, 0x2A02, 0x864F, 0x8F9D
-_ARRAY_BUFFER, _UNSIGNED_INT = 0x8892, 0x1405
-_FEEDBACK_BUFFER, _DISCARD, _GENERATED = 0x8C8E, 0x8C89, 0x8C87
+"""Elements that are drawn by index: the mode, and indices of each."""
 _UNITS = UNITS | {
     "mesh_sieved": SIEVED_UNIT, "app_colour": COLOUR_UNIT, "gbuffer": GBUFFER_UNIT
 }  # fmt: skip
@@ -55,22 +57,18 @@ _UNITS = UNITS | {
 class Runner:
     """Draws passes in one context. Make and use it inside the state guard."""
 
-    def __init__(self, context: Any, objects: Objects, most_bytes: int) -> None:
-        self._context = context
+    def __init__(self, objects: Objects, most_bytes: int) -> None:
         self.residents = Residents(objects, most_bytes)
         self._stage = Stage()
         self._colour = ColourCopy()
         self._gbuffer: GBuffer | None = None
-        self._programs = MeshPrograms(context)
-        array = ctypes.c_uint()
-        gl.glGenVertexArrays(1, ctypes.addressof(array))
-        self._array = array.value
+        self._programs = MeshPrograms()
+        self._array = made("glGenVertexArrays")
         gl.glBindVertexArray(self._array)
         # Compatibility contexts draw nothing without an array 0: one value for all vertices.
-        self._nothing = context.buffer(np.zeros(4, np.float32))
-        gl.glBindBuffer(_ARRAY_BUFFER, self._nothing.glo)
+        Buffer().fill(np.zeros(4, np.float32))
         gl.glEnableVertexAttribArray(0)
-        gl.glVertexAttribPointer(0, 4, 0x1406, 0, 0, None)
+        gl.glVertexAttribPointer(0, 4, GL_FLOAT, 0, 0, None)
         gl.glVertexAttribDivisor(0, 1 << 30)
 
     def run(
@@ -101,7 +99,7 @@ class Runner:
             if one.buffer != before:
                 self._turn_to_buffer(box, greater) if one.buffer else self._stage.reopen()
                 before = one.buffer
-            _set(one.state, greater)
+            set_state(one.state, greater)
             for body in one.bodies:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
@@ -117,7 +115,7 @@ class Runner:
             self.residents.release()
         if before:
             self._stage.reopen()
-        _set(State(depth="always", blend="off"), greater)
+        set_state(State(depth="always", blend="off"), greater)
         stencil(last)
         self._stage.put_over(window, box)
 
@@ -128,50 +126,6 @@ class Runner:
         self._gbuffer.open(box, greater=greater)
         self._gbuffer.bind_texture()
 
-    def varyings(
-        self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
-    ) -> list[dict[str, NDArray[np.float32]]]:
-        """What the vertex shader of a pass makes of each body: (elements, vertices, size) by name,
-        for names and their sizes (floats); with a geometry shader what that makes, (triangles, 3,
-        size). Transform feedback; what tests hold to the numpy references."""
-        found = []
-        for body in one.bodies:
-            camera = body.camera.affine()
-            inputs = inputs_of(camera, depth, away=1.0, hair=hair)
-            if inputs is None:
-                raise RenderError("this camera sees nothing")
-            gl.glBindVertexArray(self._array)
-            ready = self._ready(one, replace(body, camera=camera), inputs, tuple(names))
-            if ready is None:
-                raise RenderError("this pose is another mesh's")
-            width = sum(names.values())
-            gl.glUseProgram(ready.program.name)
-            gl.glEnable(_DISCARD)
-            by_index = one.element in _BY_INDEX
-            shape, kind = (ready.elements, ready.each), 0x0004 if by_index else 0
-            if one.shader.geometry:
-                shape, kind = (_triangles_of(one, ready), 3), 0x0004
-            count = shape[0] * shape[1]
-            target = self._context.buffer(reserve=max(count, 1) * width * 4)
-            gl.glBindBufferBase(_FEEDBACK_BUFFER, 0, target.glo)
-            gl.glBeginTransformFeedback(kind)
-            _issue(one, ready, mode=0)
-            gl.glEndTransformFeedback()
-            gl.glDisable(_DISCARD)
-            ready.release()
-            rows = np.frombuffer(target.read(), np.float32)[: count * width]
-            rows = rows.reshape(*shape, width)
-            target.release()
-            ends = np.cumsum(list(names.values()))
-            found.append(
-                {
-                    name: rows[..., end - size : end]
-                    for (name, size), end in zip(names.items(), ends, strict=True)
-                }
-            )
-            self.residents.release()
-        return found
-
     def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
         gl.glBindVertexArray(self._array)
         ready = self._ready(one, body, inputs)
@@ -181,14 +135,11 @@ class Runner:
         gl.glViewport(*camera.viewport)
         gl.glDepthRange(*camera.depth_range)
         scissor(camera, box)
-        gl.glUseProgram(ready.program.name)
-        _issue(one, ready)
+        issue(one, ready)
         ready.release()
 
-    def _ready(
-        self, one: Pass, body: Body, inputs: dict[str, Any], varyings: tuple[str, ...] = ()
-    ) -> _Ready | None:
-        """A pass over a body with its textures bound and its uniforms set."""
+    def _ready(self, one: Pass, body: Body, inputs: dict[str, Any]) -> Ready | None:
+        """A pass over a body with its textures bound, its uniforms set and its program in use."""
         camera = body.camera
         resident: Resident | None = None
         count, each = 1, 3
@@ -196,8 +147,8 @@ class Runner:
             resident = self.residents.find(body.batches, one.weld.creases, one.weld.tolerance)
             count = resident.count(one.element)
             each = VERTICES[one.primitives.kind] * one.primitives.each
-            if one.element in _BY_INDEX:
-                each = _BY_INDEX[one.element][1]
+            if one.element in BY_INDEX:
+                each = BY_INDEX[one.element][1]
             least = one.sieve.shortest if one.sieve is not None else 0.0
             if least and not resident.sieved.extent.pixels(camera) >= least:
                 return None
@@ -213,7 +164,7 @@ class Runner:
         sieve = one.sieve if posed is None else None
         program = self._programs.find(
             one.shader, one.pose, sieved=sieve is not None,
-            planes=min(len(camera.clip_planes), MOST_CLIP_PLANES), varyings=varyings,
+            planes=min(len(camera.clip_planes), MOST_CLIP_PLANES),
         )  # fmt: skip
         lit = program.wants("light")
         if lit and one.light is None:
@@ -226,9 +177,7 @@ class Runner:
             count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
             if not count:
                 return None
-        for values in (inputs, seen, _UNITS, {"vertices_each": each}):
-            program.set(values)
-        program.set(one.uniforms)
+        program.use(inputs, seen, _UNITS, {"vertices_each": each}, one.uniforms)
         if isinstance(one.pose, Keyframes):
             program.set({"share": one.pose.share})
         elif one.pose is not None:
@@ -237,18 +186,17 @@ class Runner:
             if "rest(" in one.shader.vertex:
                 self.residents.bind_rest(resident.mesh)  # first: it may upload where others lie
             resident.bind()
-            if one.element in _BY_INDEX and sieve is None:
+            if one.element in BY_INDEX and sieve is None:
                 resident.bind_indices(one.element)
         if posed is not None:
             posed.bind()
-        return _Ready(program, count, each, posed)
+        return Ready(count, each, posed)
 
 
 @dataclass(frozen=True, slots=True)
-class _Ready:
-    """A program with all that it reads."""
+class Ready:
+    """What a draw of a program in use is made of."""
 
-    program: Program
     elements: int
     each: int
     """Vertices of an element."""
@@ -259,28 +207,16 @@ class _Ready:
             self.posed.release()
 
 
-def _issue(one: Pass, ready: _Ready, mode: int | None = None) -> None:
-    """The draw itself; mode: of what is not drawn by index, else the pass's own."""
+def issue(one: Pass, ready: Ready) -> None:
+    """The draw itself."""
     count = ready.elements * ready.each
-    if count and one.element in _BY_INDEX:
+    if count and one.element in BY_INDEX:
         gl.glDrawElementsInstanced(
-            _BY_INDEX[one.element][0], count, _UNSIGNED_INT, None, one.primitives.copies
+            BY_INDEX[one.element][0], count, GL_UNSIGNED_INT, None, one.primitives.copies
         )
     elif count:
-        own = _MODES[one.primitives.kind] if mode is None else mode
-        gl.glDrawArraysInstanced(own, 0, count, one.primitives.copies)
-
-
-def _triangles_of(one: Pass, ready: _Ready) -> int:
-    """How many triangles a geometry shader makes."""
-    query, found = ctypes.c_uint(), ctypes.c_uint()
-    gl.glGenQueries(1, ctypes.addressof(query))
-    gl.glBeginQuery(_GENERATED, query.value)
-    _issue(one, ready)
-    gl.glEndQuery(_GENERATED)
-    gl.glGetQueryObjectuiv(query.value, 0x8866, ctypes.addressof(found))
-    gl.glDeleteQueries(1, ctypes.addressof(query))
-    return found.value
+        mode = _MODES[one.primitives.kind]
+        gl.glDrawArraysInstanced(mode, 0, count, one.primitives.copies)
 
 
 def seen_from(camera: Camera, light: Sequence[float] | None = None) -> dict[str, Any]:
@@ -316,44 +252,3 @@ def _way(projection: bytes) -> float:
 
 def _size_of(pose: Pose) -> int:
     return len(pose.positions[0] if isinstance(pose, Keyframes) else pose.positions)
-
-
-def _set(state: State, greater: bool) -> None:
-    """The fixed state of a pass."""
-    # Not only let through by it: a driver in software would look depths up all the same.
-    _switch(_DEPTH_TEST, state.depth != "always" or state.writes_depth)
-    test = _TURNED.get(state.depth, state.depth) if greater else state.depth
-    gl.glDepthFunc(_TESTS[test])
-    gl.glDepthMask(int(state.writes_depth))
-    gl.glColorMask(*[int(state.writes_colour)] * 4)
-    _switch(_BLEND, state.blend != "off")
-    gl.glBlendEquation(0x8008 if state.blend == "greatest" else 0x8006)
-    gl.glBlendFunc(1, 0x0303)
-    _switch(_CULL, state.cull != "none")
-    if state.cull != "none":
-        gl.glCullFace(0x0404 if state.cull == "front" else 0x0405)
-    factor, units = state.offset
-    for capability in (_OFFSET, _OFFSET_LINE):
-        _switch(capability, factor != 0.0 or units != 0.0)
-    way = -1.0 if greater else 1.0
-    gl.glPolygonOffset(way * factor, way * units)
-    _switch(_CLAMP, state.clamps)
-    gl.glDisable(_PRIMITIVE_RESTART)
-    _stencil(state.stencil, state.clears_stencil)
-
-
-def _stencil(stencil: Stencil | None, clears: bool) -> None:
-    gl.glStencilMask(0xFF)
-    if clears:
-        gl.glClearStencil(NOTHING_DRAWN)
-        gl.glClear(0x0400)
-    _switch(_STENCIL, stencil is not None)
-    if stencil is None:
-        return
-    gl.glStencilFunc(_TESTS[stencil.test], stencil.reference, 0xFF)
-    for face, actions in ((0x0404, stencil.front), (0x0405, stencil.back)):
-        gl.glStencilOpSeparate(face, *(_ACTIONS[action] for action in actions))
-
-
-def _switch(capability: int, on: bool) -> None:
-    (gl.glEnable if on else gl.glDisable)(capability)

@@ -15,7 +15,15 @@ from glshim.geometry.meshshaders.extent import Extent
 from glshim.geometry.meshshaders.sieve import EdgeSieve, TriangleSieve
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.outputs.gl.device.uploads import Indices, delete, upload
+from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.names import delete
+from glshim.outputs.gl.device.uploads import upload
+from glshim.spec.constants import (
+    GL_ELEMENT_ARRAY_BUFFER,
+    GL_STREAM_DRAW,
+    GL_TEXTURE0,
+    GL_TEXTURE_2D,
+)
 from glshim.spec.driver import gl
 from glshim.styling.passes import Element, Sieve
 
@@ -35,14 +43,14 @@ class _Remaining:
     texture: int = 0
     """Of the numbers."""
     count: int = 0
-    indices: Indices | None = None
+    indices: Buffer | None = None
 
     def free(self) -> None:
         """Delete what it holds."""
         if self.texture:
-            delete((self.texture,))
+            delete("glDeleteTextures", (self.texture,))
         if self.indices is not None:
-            self.indices.free()
+            self.indices.release()
 
 
 class Sieved:
@@ -74,7 +82,7 @@ class Sieved:
         return None if self._creases is None else TriangleSieve(self._creases)
 
     def indices(self, element: Element, rows: Ints | None = None) -> Ints:
-        """Indices of some lines, or triangles with adjacency, or of all."""
+        """Buffer of some lines, or triangles with adjacency, or of all."""
         if element == "adjacency":
             return self.adjacency if rows is None else self.adjacency.take(rows, axis=0)
         if rows is None:
@@ -90,17 +98,17 @@ class Sieved:
         if left.eye != eye.tobytes():
             rows = self._remaining(eye, sieve, element)
             if left.texture:
-                delete((left.texture,))
+                delete("glDeleteTextures", (left.texture,))
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
             left.eye, left.texture, left.count = eye.tobytes(), upload(texels), len(rows)
             if element in _INDEXED:
-                left.indices = left.indices or Indices()
-                left.indices.fill(self.indices(element, rows))
+                left.indices = left.indices or Buffer(GL_ELEMENT_ARRAY_BUFFER)
+                left.indices.fill(self.indices(element, rows), GL_STREAM_DRAW)
         if left.indices is not None:
             left.indices.bind()
-        gl.glActiveTexture(0x84C0 + UNIT)
-        gl.glBindTexture(0x0DE1, left.texture)
+        gl.glActiveTexture(GL_TEXTURE0 + UNIT)
+        gl.glBindTexture(GL_TEXTURE_2D, left.texture)
         return left.count
 
     def _remaining(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> Ints:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
-
-from glshim.outputs.gl.device.programs import compiled
+from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.canvas import Canvas, fill_viewport
 from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.spec.constants import (
@@ -24,10 +22,7 @@ class Stage:
 
     def __init__(self) -> None:
         self._canvas = Canvas(modern=True, buffers=(GL_DEPTH24_STENCIL8,))
-        shaders = files("glshim.outputs.gl") / "shaders"
-        texts = ((shaders / f"seed.{kind}.glsl").read_text("utf-8") for kind in ("vert", "frag"))
-        self._seed = compiled("seed", *texts)
-        self._depth_at = int(gl.glGetUniformLocation(self._seed, b"finished_depth"))
+        self._seed = Program("seed", shader_text("seed.vert.glsl"), shader_text("seed.frag.glsl"))
 
     def open(self, box: Box, *, deep: bool = True) -> None:
         """Draw on it from now on: no colour, the finished depth (bound at its unit), stencil
@@ -44,8 +39,7 @@ class Stage:
         gl.glEnable(GL_DEPTH_TEST)
         gl.glDepthFunc(GL_ALWAYS)
         gl.glDepthMask(1)
-        gl.glUseProgram(self._seed)
-        gl.glUniform1i(self._depth_at, UNIT)
+        self._seed.use({"finished_depth": UNIT})
         fill_viewport()
 
     def reopen(self) -> None:
