@@ -20,8 +20,10 @@ _PR_SET_PDEATHSIG = 1
 
 
 @contextmanager
-def virtual_screen() -> Iterator[dict[str, str]]:
+def virtual_screen(screen: str = SCREEN) -> Iterator[dict[str, str]]:
     """A running virtual screen; gives the environment that puts a program on it.
+
+    `screen` is its width, height and depth as Xvfb reads them.
 
     Raises `EnvironmentFault` when there is no Xvfb or it does not start.
     """
@@ -35,7 +37,7 @@ def virtual_screen() -> Iterator[dict[str, str]]:
     # -displayfd: Xvfb picks a free display and writes its number when it is ready.
     # -noreset: it stays when a program closes its last window to open another.
     server = subprocess.Popen(
-        [program, "-displayfd", str(writer), "-screen", "0", SCREEN, "-nolisten", "tcp",
+        [program, "-displayfd", str(writer), "-screen", "0", screen, "-nolisten", "tcp",
          "-noreset", "+extension", "GLX"],
         pass_fds=[writer], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE, preexec_fn=_die_with_parent,  # noqa: PLW1509 (one thread)

@@ -11,7 +11,8 @@ import sys
 from pathlib import Path
 from statistics import median
 
-from tests.programs.screen import NoScreen, virtual_screen
+from glshim.errors import EnvironmentFault
+from glshim.running.headless import virtual_screen
 
 from .features import print_features
 from .measure import MODES, BenchmarkError, Timing, remembered, rounds_of
@@ -118,7 +119,8 @@ def main() -> int:
     parser.add_argument("--check", action="store_true", help="exit status 1 on a missed target")
     choice = parser.parse_args()
     try:
-        with virtual_screen() as display:
+        with virtual_screen() as screen:
+            display = screen["DISPLAY"]
             if choice.memory:
                 print_memory(choice.memory, display)
                 return 0
@@ -129,7 +131,7 @@ def main() -> int:
             if not choice.features:
                 print()
             print_features(choice.only, choice.rounds, choice.seconds, display)
-    except (NoScreen, BenchmarkError) as reason:
+    except (EnvironmentFault, BenchmarkError) as reason:
         print(f"{Path(sys.executable).name} -m tests.benchmarks: {reason}", file=sys.stderr)
         return 2
     return 1 if misses and choice.check else 0

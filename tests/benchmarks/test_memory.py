@@ -2,8 +2,6 @@
 
 import pytest
 
-from tests.programs.screen import NoScreen, virtual_screen
-
 from .measure import remembered
 
 FRAMES = 400
@@ -13,10 +11,6 @@ SLACK = 3 * 2**20  # bytes that may come and go; 200 frames that leak a mesh lea
 @pytest.mark.parametrize("mode", ["none", "raskar"])
 @pytest.mark.parametrize("scene", ["immediate, 7k vertices", "fresh lists",
                                    "fresh buffers", "fresh shapes in C"])
-def test_memory_stays_flat(scene: str, mode: str) -> None:
-    try:
-        with virtual_screen() as display:
-            sizes = remembered(scene, FRAMES, mode, display)
-    except NoScreen as reason:
-        pytest.skip(str(reason))
+def test_memory_stays_flat(scene: str, mode: str, display: str) -> None:
+    sizes = remembered(scene, FRAMES, mode, display)
     assert sizes[-1] - sizes[len(sizes) // 2] < SLACK, sizes

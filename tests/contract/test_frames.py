@@ -17,6 +17,8 @@ from PIL import Image
 from glshim.toolkits import frames
 from glshim.toolkits.frames import Stage
 
+pytestmark = pytest.mark.programs
+
 GLUT = """
 import atexit, sys
 from OpenGL.GL import *

@@ -143,6 +143,7 @@ def wheels(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.programs
 def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path) -> None:
     (wheel,) = wheels.glob("*.whl")
     venv.create(tmp_path / "venv", with_pip=False)
@@ -167,6 +168,7 @@ def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path)
         assert done.stderr == ""
 
 
+@pytest.mark.programs
 def test_the_archive_of_sources_holds_what_lies_beside_code(wheels: Path) -> None:
     (path,) = (wheels / "editable").glob("*.tar.gz")
     with tarfile.open(path) as archive:
@@ -174,6 +176,7 @@ def test_the_archive_of_sources_holds_what_lies_beside_code(wheels: Path) -> Non
     assert names >= BESIDE_CODE | {"glshim.pth", "glshim.start", "scripts/build_backend.py"}
 
 
+@pytest.mark.programs
 def test_an_editable_wheel_carries_the_startup_files_too(wheels: Path) -> None:
     (wheel,) = (wheels / "editable").glob("*.whl")
     assert {"glshim.pth", "glshim.start"} <= set(zipfile.ZipFile(wheel).namelist())

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from tests.golden import pictures
-from tests.programs.screen import NoScreen, virtual_screen
 
 ROOT = Path(__file__).parents[2]
 LEGACY = {"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_GLSL_VERSION_OVERRIDE": "120"}
@@ -109,15 +108,6 @@ def test_lines_are_those_of_the_gpu_within_a_pixel(both):
             continue
         before = modern[f"{name}|before"]
         assert_alike(*(alpha(before, found[key], np.zeros(3)) for found in both), name)
-
-
-@pytest.fixture(scope="module")
-def display():
-    try:
-        with virtual_screen() as name:
-            yield name
-    except NoScreen as reason:
-        pytest.skip(str(reason))
 
 
 @pytest.mark.parametrize("name", DEMOS)

@@ -2,24 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 
 from tests.golden import pictures
-from tests.programs.screen import NoScreen, virtual_screen
 
 INK = np.array((0xE8, 0x64, 0x1B))
-
-
-@pytest.fixture(scope="module")
-def display() -> Iterator[str]:
-    try:
-        with virtual_screen() as name:
-            yield name
-    except NoScreen as reason:
-        pytest.skip(str(reason))
 
 
 @pytest.mark.parametrize("name", pictures.programs())

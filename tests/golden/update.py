@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from glshim.running.headless import virtual_screen
 from tests.golden.pictures import update
-from tests.programs.screen import virtual_screen
 
 if __name__ == "__main__":
-    with virtual_screen() as display:
-        for path in update(display):
+    with virtual_screen() as screen:
+        for path in update(screen["DISPLAY"]):
             print(path)

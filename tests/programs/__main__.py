@@ -5,10 +5,12 @@ import fnmatch
 import sys
 from pathlib import Path
 
+from glshim.errors import EnvironmentFault
+from glshim.running.headless import virtual_screen
+
 from .catalog import PROGRAMS, Program
 from .everything import every_demo
 from .harness import PLAIN, run
-from .screen import NoScreen, virtual_screen
 from .sources import SourceMissing
 
 
@@ -61,12 +63,12 @@ def main() -> int:
     print("|---|---|---|---|---|")
     faults = 0
     try:
-        with virtual_screen() as display:
+        with virtual_screen() as screen:
             for program in chosen:
-                row = compare(program, choice.style, display, choice.out)
+                row = compare(program, choice.style, screen["DISPLAY"], choice.out)
                 faults += "NO" in row[2] or row[2] == "-"
                 print("| " + " | ".join(row) + " |", flush=True)
-    except NoScreen as reason:
+    except EnvironmentFault as reason:
         print(reason, file=sys.stderr)
         return 2
     return 1 if faults else 0

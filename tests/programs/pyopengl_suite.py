@@ -14,8 +14,10 @@ from collections import Counter
 from pathlib import Path
 from xml.etree import ElementTree
 
+from glshim.errors import EnvironmentFault
+from glshim.running.headless import virtual_screen
+
 from .harness import ROOT
-from .screen import NoScreen, virtual_screen
 from .sources import SourceMissing, unpacked
 
 STYLES = ("none", "raskar")
@@ -85,16 +87,16 @@ def main() -> int:
     print("| module | plain | " + " | ".join(STYLES) + " |\n|---|---|" + "---|" * len(STYLES))
     found = []
     try:
-        with virtual_screen() as display:
+        with virtual_screen() as screen:
             for module in fnmatch.filter(modules(), f"*{choice.only}*"):
-                plain = outcomes(module, None, display)
+                plain = outcomes(module, None, screen["DISPLAY"])
                 cells = [_counts(plain)]
                 for style in STYLES:
-                    styled = outcomes(module, style, display)
+                    styled = outcomes(module, style, screen["DISPLAY"])
                     cells.append(_counts(styled))
                     found += [f"{style}: {module}: {line}" for line in differences(plain, styled)]
                 print(f"| {module} | " + " | ".join(cells) + " |", flush=True)
-    except (NoScreen, SourceMissing) as reason:
+    except (EnvironmentFault, SourceMissing) as reason:
         print(reason, file=sys.stderr)
         return 2
     print("\n".join(found) or "everything comes out as it does plain")

@@ -3,27 +3,15 @@
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 
 import pytest
 
 from .catalog import HERE, OURS, Program
 from .hand import ESCAPE, WHEEL_UP, Hand
 from .harness import PLAIN, environment
-from .screen import NoScreen, virtual_screen
 from .sources import launch
 
 PATIENCE = 20.0
-
-
-@pytest.fixture(scope="module")
-def display() -> Iterator[str]:
-    try:
-        with virtual_screen() as name:
-            Hand(name)
-            yield name
-    except (NoScreen, OSError) as reason:
-        pytest.skip(str(reason))
 
 
 @pytest.fixture

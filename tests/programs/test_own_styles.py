@@ -15,7 +15,6 @@ import pytest
 from PIL import Image
 
 from .harness import ROOT
-from .screen import NoScreen, virtual_screen
 
 PAGE = ROOT / "docs" / "writing_a_styler.md"
 APP = """
@@ -42,15 +41,6 @@ while True:
     glfw.poll_events()
     time.sleep(0.02)
 """
-
-
-@pytest.fixture(scope="module")
-def display() -> Iterator[str]:
-    try:
-        with virtual_screen(640, 480) as name:
-            yield name
-    except NoScreen as reason:
-        pytest.skip(str(reason))
 
 
 def environment(display: str, **variables: str) -> dict[str, str]:

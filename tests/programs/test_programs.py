@@ -1,24 +1,12 @@
 """Programs that others wrote, and ours, run unmodified: plain, under `none`, under `raskar`."""
 
-from collections.abc import Iterator
-
 import pytest
 
 from .catalog import PROGRAMS, Program
 from .harness import PLAIN, Run, run
-from .screen import NoScreen, virtual_screen
 from .sources import SourceMissing, launch
 
 VISIBLE = "raskar:ink=#e8641b"  # an ink that shows on black and on white
-
-
-@pytest.fixture(scope="module")
-def display() -> Iterator[str]:
-    try:
-        with virtual_screen() as name:
-            yield name
-    except NoScreen as reason:
-        pytest.skip(str(reason))
 
 
 @pytest.fixture(scope="module", params=PROGRAMS, ids=lambda p: p.name)

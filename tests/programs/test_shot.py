@@ -117,15 +117,13 @@ def plan(path):
 
 def run_board(folder, **variables):
     """What drawing_board.py says about GL's state, frame by frame."""
-    from glshim.running.headless import virtual_screen
     from glshim.running.subjects import surroundings
 
-    with virtual_screen() as screen:
-        done = subprocess.run(
-            [sys.executable, BOARD, "320", "240", "1"], cwd=folder, text=True, timeout=60,
-            capture_output=True, check=True,
-            env={**surroundings(screen), "PYTHONPATH": str(ROOT), "GLSHIM_STYLE": "raskar",
-                 "GLSHIM_FRAMES": "4", **variables})
+    done = subprocess.run(
+        [sys.executable, BOARD, "320", "240", "1"], cwd=folder, text=True, timeout=60,
+        capture_output=True, check=True,
+        env={**surroundings(os.environ), "PYTHONPATH": str(ROOT), "GLSHIM_STYLE": "raskar",
+             "GLSHIM_FRAMES": "4", **variables})
     states = [line for line in done.stderr.splitlines() if line.startswith("state ")]
     return [ast.literal_eval(line.removeprefix("state ")) for line in states]
 

@@ -34,10 +34,12 @@ def findings(folder: Path, text: str, title: str = "") -> list[Finding]:
     return [finding(check, styler) for check in checks if title in check.title]
 
 
+@pytest.mark.gl
 def test_the_styler_of_the_page_holds_up(tmp_path: Path) -> None:
     assert [str(found) for found in findings(tmp_path, GOOD) if found.wrong] == []
 
 
+@pytest.mark.gl
 @pytest.mark.parametrize(
     ("old", "new", "title", "says"),
     [
@@ -160,6 +162,7 @@ def test_options_come_after_the_class_and_in_style_files(tmp_path: Path) -> None
         parse_style("mine.toml", str(tmp_path))
 
 
+@pytest.mark.programs
 def test_a_driver_that_goes_down_is_a_finding(tmp_path: Path) -> None:
     path = tmp_path / "my_style.py"
     path.write_text(GOOD.replace(RETURN, "        import os; os.kill(os.getpid(), 11)\n" + RETURN))
@@ -171,6 +174,7 @@ def test_a_driver_that_goes_down_is_a_finding(tmp_path: Path) -> None:
     assert "ended by signal 11" in done.stdout
 
 
+@pytest.mark.programs
 def test_the_command_tells_all_of_a_good_style_on_a_screen_of_its_own(tmp_path: Path) -> None:
     path = tmp_path / "my_style.py"
     path.write_text(GOOD)

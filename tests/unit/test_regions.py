@@ -79,6 +79,7 @@ def test_a_mesh_in_other_colours_is_another_mesh():
     assert not one.marked.any() and other.marked.sum() == 1
 
 
+@pytest.mark.gl
 @pytest.mark.parametrize("lit", [False, True])
 @pytest.mark.parametrize("tracking", [False, True])
 def test_the_colour_that_a_primitive_begins_with(lit, tracking):

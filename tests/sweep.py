@@ -1,0 +1,30 @@
+"""What every run checks, and what a full sweep checks: `sh scripts/test sweep` runs all.
+
+Where one mechanism serves many cases (the guard around every style, the recorder below every
+program) each run takes some of them in turn: others on each day, so that all had theirs after some
+days. The seed of a run stands in pytest's header; ``TESTS_SEED=N`` repeats its choice.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Sequence
+from typing import TypeVar
+
+T = TypeVar("T")
+FULL = os.environ.get("TESTS_SWEEP") == "1"
+SEED = int(os.environ.setdefault("TESTS_SEED", str(int(time.time()) // 86400)))
+"""Set once: worker processes take it over."""
+
+
+def some(cases: Sequence[T], count: int, turn: int = 0) -> tuple[T, ...]:
+    """`count` of the cases, or all of them in a full sweep.
+
+    `turn` numbers the places that ask about the same cases, such as scenes that each run under some
+    styles: neighbours get others.
+    """
+    if FULL or count >= len(cases):
+        return tuple(cases)
+    first = (SEED + turn) * count
+    return tuple(cases[(first + i) % len(cases)] for i in range(count))
