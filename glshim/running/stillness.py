@@ -2,20 +2,17 @@
 moment: `glshim gallery` and `glshim shot` ask for it, and so do the tests.
 
 Time moves by `STEP` with each presented frame, and by what the program sleeps. GLUT's timers and
-idle calls are served one round a frame, after the window has settled. Clocks of C libraries that
-Python does not ask (Qt's timers) run on.
+idle calls are served one round a frame, after the window has settled. Clocks of toolkits that say
+that they lack this (`glshim doctor`) run on, and so do those of other C libraries.
 """
 
 from __future__ import annotations
 
-import random
-import sys
 import threading
-import time
 
 from glshim import toolkits
-from glshim.bindings.imports import after_import
 from glshim.notices import say
+from glshim.running import clocks, luck
 from glshim.toolkits import Part, frames
 from glshim.toolkits.frames import Stage
 from glshim.toolkits.moment import MOMENT, Moment, real_clock, real_sleep
@@ -27,14 +24,12 @@ PATIENCE = 8.0
 its longest wait so far where that is more."""
 _LARGE = 20.0
 """Times that for a frame of a moment that is held: it may be a large picture."""
-_START = 1_600_000_000.0
 
 
 def begin() -> None:
     """Hold this process's clocks and luck, and those of toolkits when they are imported."""
-    still_luck()
-    still_clock(MOMENT)
-    after_import("numpy.random", lambda module: module.seed(1))
+    luck.hold()
+    clocks.hold(MOMENT)
     toolkits.watch(Part.CLOCK)
 
 
@@ -43,23 +38,6 @@ def count_frames() -> None:
     none any more."""
     frames.listen(Stage.CLOCK, after=MOMENT.frame_ends)
     threading.Thread(target=_watch, args=(MOMENT,), daemon=True).start()
-
-
-def still_luck() -> None:
-    """Seed what is random."""
-    random.seed(1)
-    numpy_random = sys.modules.get("numpy.random")
-    if numpy_random is not None:
-        numpy_random.seed(1)
-
-
-def still_clock(moment: Moment) -> None:
-    """The clocks of module `time` show the moment; sleeping moves it."""
-    for name, base in (("time", _START), ("perf_counter", 0.0), ("monotonic", 0.0),
-                       ("process_time", 0.0), ("clock", 0.0)):  # fmt: skip
-        setattr(time, name, lambda base=base: base + moment.now)
-        setattr(time, name + "_ns", lambda base=base: int((base + moment.now) * 1e9))
-    time.sleep = moment.pass_by  # type: ignore[assignment]
 
 
 def _watch(moment: Moment) -> None:

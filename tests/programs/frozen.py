@@ -5,7 +5,7 @@ as `__main__`. Of glshim it imports what holds clocks alone, and it draws nothin
 read from the X screen after the program's own call that presents it, so it is the same code, with
 the same result, whether or not another program has hooked OpenGL above or below these hooks.
 
-Time stands still while a frame is made (`glshim.running.stillness`), so that every run sees the
+Time stands still while a frame is made (`glshim.running.clocks`), so that every run sees the
 same sequence of events.
 """
 
@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from glshim.running import stillness
+from glshim.running import clocks, luck
 from glshim.toolkits.base import Changes
 from glshim.toolkits.glfw import Glfw
 from glshim.toolkits.glut import GlutLoop
@@ -265,8 +265,8 @@ class AfterImport(importlib.abc.MetaPathFinder):
 def main() -> None:
     out, frames, *command = sys.argv[1:]
     recorder = Recorder(Path(out), int(frames))
-    stillness.still_luck()
-    stillness.still_clock(recorder.moment)
+    luck.hold()
+    clocks.hold(recorder.moment)
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
              "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "sdl2": freeze_sdl2,
              "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}
