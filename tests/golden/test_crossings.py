@@ -12,7 +12,7 @@ from glshim.linework import crossings as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
-from glshim.outputs.gl.device.plain import _OFF
+from glshim.outputs.gl.device.plain import OFF
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.frame.laying import triangles as fans
 from glshim.outputs.gl.lines.crossings import Crossings
@@ -41,7 +41,7 @@ class Finder:
             look.draw_base(b, camera)
         depth = look.depths(SIZE, SIZE)
         with Guard():
-            for capability in _OFF:
+            for capability in OFF:
                 gl.glDisable(capability)
             self.depth.take((0, 0, SIZE, SIZE), 24)
             lines = Lines(Layer(items).bodies, Choice(intersections=True), Medium(SHADER))

@@ -27,6 +27,13 @@ from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
 from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_DEPTH_BITS,
+    GL_DEPTH_FUNC,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_GEQUAL,
+    GL_GREATER,
+)
 from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
 from glshim.spec.driver import current_context
 from glshim.styling.lines import Lines
@@ -34,8 +41,6 @@ from glshim.styling.passes import Pass
 from glshim.styling.values import Item, in_order
 from glshim.styling.wishes import Choice
 
-_DEPTH_FUNC, _DEPTH_BITS, _FRAMEBUFFER_BINDING = 0x0B74, 0x0D56, 0x8CA6
-_GREATER, _GEQUAL = 0x0204, 0x0206
 _LAID_BITS = 24
 """Bits of the depth buffer that stands in where a window has none."""
 
@@ -101,9 +106,9 @@ class Backend:
         if not box[2] or not box[3]:
             return
         with Guard():
-            window = integer(_FRAMEBUFFER_BINDING)
-            bits = integer(_DEPTH_BITS)
-            greater = integer(_DEPTH_FUNC) in (_GREATER, _GEQUAL)
+            window = integer(GL_DRAW_FRAMEBUFFER_BINDING)
+            bits = integer(GL_DEPTH_BITS)
+            greater = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
             plainly()
             self._take_depth(items, box, bits, greater)
             bits = bits or _LAID_BITS

@@ -22,28 +22,64 @@ from glshim.outputs.gl.device.guard import Guard, drain, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
 from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_ALIASED_LINE_WIDTH_RANGE,
+    GL_BACK,
+    GL_BLEND,
+    GL_CCW,
+    GL_CLIP_PLANE0,
+    GL_COLOR_SUM,
+    GL_CULL_FACE,
+    GL_CW,
+    GL_DEPTH_BITS,
+    GL_DEPTH_FUNC,
+    GL_DEPTH_TEST,
+    GL_EDGE_FLAG_ARRAY,
+    GL_FILL,
+    GL_FLOAT,
+    GL_FOG,
+    GL_FRAGMENT_PROGRAM_ARB,
+    GL_FRONT,
+    GL_GEQUAL,
+    GL_GREATER,
+    GL_LEQUAL,
+    GL_LIGHTING,
+    GL_LINE,
+    GL_LINE_SMOOTH,
+    GL_LINE_STIPPLE,
+    GL_MAX_TEXTURE_UNITS,
+    GL_MODELVIEW,
+    GL_MODELVIEW_MATRIX,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE,
+    GL_PROJECTION,
+    GL_PROJECTION_MATRIX,
+    GL_SCISSOR_TEST,
+    GL_SMOOTH_LINE_WIDTH_RANGE,
+    GL_SRC_ALPHA,
+    GL_TEXTURE0,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_3D,
+    GL_TEXTURE_CUBE_MAP,
+    GL_TEXTURE_RECTANGLE,
+    GL_TRIANGLES,
+    GL_VERTEX_ARRAY,
+    GL_VERTEX_PROGRAM_ARB,
+)
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
 from glshim.spec.driver import current_context, gl
 from glshim.styling.fixed import BackFaces
 from glshim.styling.values import Colour, Item, in_order
 
-_TRIANGLES, _FLOAT, _VERTICES, _EDGE_FLAGS = 0x0004, 0x1406, 0x8074, 0x8079
-_FRONT, _BACK, _LINE, _FILL = 0x0404, 0x0405, 0x1B01, 0x1B02
-_CULL_FACE, _CLOCKWISE, _COUNTER_CLOCKWISE = 0x0B44, 0x0900, 0x0901
-_DEPTH_TEST, _DEPTH_FUNC, _DEPTH_BITS, _SCISSOR_TEST = 0x0B71, 0x0B74, 0x0D56, 0x0C11
-_GREATER, _GEQUAL, _LEQUAL = 0x0204, 0x0206, 0x0203
-_OFFSET_FILL, _BLEND, _ALPHA, _REST = 0x8037, 0x0BE2, 0x0302, 0x0303
-_LINE_SMOOTH, _LINE_WIDTHS, _SMOOTH_LINE_WIDTHS = 0x0B20, 0x846E, 0x0B22
-_MODELVIEW, _PROJECTION = 0x1700, 0x1701
-_STACKS = ((_MODELVIEW, 0x0BA6), (_PROJECTION, 0x0BA7))
-_CLIP_PLANE = 0x3000
-_TEXTURE_0, _MOST_UNITS = 0x84C0, 0x84E2
-_TEXTURES = (0x0DE0, 0x0DE1, 0x806F, 0x8513, 0x84F5)
-"""1D, 2D, 3D, cube maps, rectangles."""
+_MATRICES = ((GL_MODELVIEW, GL_MODELVIEW_MATRIX), (GL_PROJECTION, GL_PROJECTION_MATRIX))
+_TEXTURES = (
+    GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE,
+)  # fmt: skip
 _SHADED = (
-    0x0B50, 0x0B60, 0x8458,  # lighting, fog, colour sum
-    0x8620, 0x8804,  # programs of ARB_vertex_program and ARB_fragment_program
-    0x0B24, 0x2A02,  # line stipple, polygon offset of lines
+    GL_LIGHTING, GL_FOG, GL_COLOR_SUM, GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB,
+    GL_LINE_STIPPLE, GL_POLYGON_OFFSET_LINE,
 )  # fmt: skip
 """What changes colours or lines of the fixed function, besides what `plainly` turns off."""
 
@@ -71,39 +107,39 @@ class FixedPen:
         found = [(draw, _seen(draw)) for draw in draws]
         if not any(items for _, items in found) or not possible():
             return
-        if not integer(_DEPTH_BITS):
+        if not integer(GL_DEPTH_BITS):
             say_once("this window has no depth buffer: back faces cannot be drawn as lines in it")
             return
         with Guard(), _matrices():
-            greater = integer(_DEPTH_FUNC) in (_GREATER, _GEQUAL)
+            greater = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
             _plainest()
-            gl.glEnable(_DEPTH_TEST)
-            gl.glDepthFunc(_GEQUAL if greater else _LEQUAL)
+            gl.glEnable(GL_DEPTH_TEST)
+            gl.glDepthFunc(GL_GEQUAL if greater else GL_LEQUAL)
             self._fill(found, greater)
             self._lines(found)
 
     def _fill(self, found: list[tuple[BackFaces, list[Item]]], greater: bool) -> None:
         """Front faces. Their depth is there already: a nudge lets them pass in spite of rounding.
         """
-        gl.glPolygonMode(_FRONT, _FILL)
-        gl.glCullFace(_BACK)
-        gl.glEnable(_OFFSET_FILL)
+        gl.glPolygonMode(GL_FRONT, GL_FILL)
+        gl.glCullFace(GL_BACK)
+        gl.glEnable(GL_POLYGON_OFFSET_FILL)
         towards = 1.0 if greater else -1.0
         gl.glPolygonOffset(towards, towards)
         for draw, items in found:
             if draw.fill is not None:
                 self._draw(items, draw.fill)
-        gl.glDisable(_OFFSET_FILL)
+        gl.glDisable(GL_POLYGON_OFFSET_FILL)
 
     def _lines(self, found: list[tuple[BackFaces, list[Item]]]) -> None:
         """Back faces."""
-        gl.glPolygonMode(_BACK, _LINE)
-        gl.glCullFace(_FRONT)
-        gl.glBlendFunc(_ALPHA, _REST)
+        gl.glPolygonMode(GL_BACK, GL_LINE)
+        gl.glCullFace(GL_FRONT)
+        gl.glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
         for draw, items in found:
             if not items:
                 continue
-            for switch in (_LINE_SMOOTH, _BLEND):
+            for switch in (GL_LINE_SMOOTH, GL_BLEND):
                 (gl.glEnable if draw.smooth else gl.glDisable)(switch)
             gl.glLineWidth(_possible_width(draw.width, draw.smooth))
             self._draw(items, draw.ink)
@@ -121,12 +157,12 @@ class FixedPen:
             camera = replace(camera, front_ccw=(way > 0.0) != camera.mirrored)
         _look_through(camera)
         gl.glColor4fv(rgba.ctypes.data)
-        gl.glVertexPointer(3, _FLOAT, 0, points.ctypes.data)
+        gl.glVertexPointer(3, GL_FLOAT, 0, points.ctypes.data)
         gl.glEdgeFlagPointer(0, flags.ctypes.data)
         # Left on from draw to draw they make Mesa 22 miss the change of colour.
-        gl.glEnableClientState(_EDGE_FLAGS)
-        gl.glDrawArrays(_TRIANGLES, 0, 3 * len(points))
-        gl.glDisableClientState(_EDGE_FLAGS)
+        gl.glEnableClientState(GL_EDGE_FLAG_ARRAY)
+        gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(points))
+        gl.glDisableClientState(GL_EDGE_FLAG_ARRAY)
 
     def _fans(self, batch: PolygonBatch) -> _Fans:
         known = None if batch.key is None else self._known.get(batch.key)
@@ -145,25 +181,25 @@ def _plainest() -> None:
     if number >= (2, 0):
         gl.glUseProgram(0)
     several = number >= (1, 3)
-    for unit in range(integer(_MOST_UNITS) if several else 1):
+    for unit in range(integer(GL_MAX_TEXTURE_UNITS) if several else 1):
         if several:
-            gl.glActiveTexture(_TEXTURE_0 + unit)
+            gl.glActiveTexture(GL_TEXTURE0 + unit)
         for texture in _TEXTURES:
             gl.glDisable(texture)
     for switch in _SHADED:
         gl.glDisable(switch)
     put_the_apps_arrays_away()
     drain()  # what older versions do not know of these
-    gl.glEnableClientState(_VERTICES)
-    gl.glEnable(_CULL_FACE)
-    gl.glEnable(_SCISSOR_TEST)
+    gl.glEnableClientState(GL_VERTEX_ARRAY)
+    gl.glEnable(GL_CULL_FACE)
+    gl.glEnable(GL_SCISSOR_TEST)
 
 
 @contextmanager
 def _matrices() -> Iterator[None]:
     """Put both matrices back: they are in no attribute group, and their stacks may be full."""
     kept = []
-    for mode, name in _STACKS:
+    for mode, name in _MATRICES:
         matrix = (ctypes.c_double * 16)()
         gl.glGetDoublev(name, ctypes.addressof(matrix))
         kept.append((mode, matrix))
@@ -179,20 +215,20 @@ def _look_through(camera: Camera) -> None:
     """All of a camera as fixed state."""
     gl.glViewport(*camera.viewport)
     gl.glDepthRange(*camera.depth_range)
-    gl.glFrontFace(_COUNTER_CLOCKWISE if camera.front_ccw else _CLOCKWISE)
+    gl.glFrontFace(GL_CCW if camera.front_ccw else GL_CW)
     scissor(camera, camera.viewport)
     stencil(camera)
-    gl.glMatrixMode(_PROJECTION)
+    gl.glMatrixMode(GL_PROJECTION)
     _load(camera.projection)
-    gl.glMatrixMode(_MODELVIEW)
+    gl.glMatrixMode(GL_MODELVIEW)
     gl.glLoadIdentity()
     for k in range(MOST_CLIP_PLANES):
         if k < len(camera.clip_planes):
             plane = np.array(camera.clip_planes[k], np.float64)
-            gl.glClipPlane(_CLIP_PLANE + k, plane.ctypes.data)  # in eye space
-            gl.glEnable(_CLIP_PLANE + k)
+            gl.glClipPlane(GL_CLIP_PLANE0 + k, plane.ctypes.data)  # in eye space
+            gl.glEnable(GL_CLIP_PLANE0 + k)
         else:
-            gl.glDisable(_CLIP_PLANE + k)
+            gl.glDisable(GL_CLIP_PLANE0 + k)
     _load(camera.modelview)
 
 
@@ -220,7 +256,7 @@ def _possible_width(width: float, smooth: bool) -> float:
     limits = (ctypes.c_float * 2)(1.0, 1.0)
     # Before 1.2 there is one range for both.
     known = (version() or (1, 1)) >= (1, 2)
-    name = _LINE_WIDTHS if known and not smooth else _SMOOTH_LINE_WIDTHS
+    name = GL_ALIASED_LINE_WIDTH_RANGE if known and not smooth else GL_SMOOTH_LINE_WIDTH_RANGE
     gl.glGetFloatv(name, ctypes.addressof(limits))
     least, most = limits
     found = min(max(width, least), max(most, 1.0))

@@ -8,16 +8,31 @@ from numpy.typing import NDArray
 from glshim.model.batch import PolygonBatch
 from glshim.model.vectors import cross
 from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_ARRAY_BUFFER,
+    GL_COLOR_ARRAY,
+    GL_EDGE_FLAG_ARRAY,
+    GL_FOG_COORD_ARRAY,
+    GL_INDEX_ARRAY,
+    GL_MAX_TEXTURE_COORDS,
+    GL_MAX_TEXTURE_UNITS,
+    GL_MAX_VERTEX_ATTRIBS,
+    GL_NORMAL_ARRAY,
+    GL_SECONDARY_COLOR_ARRAY,
+    GL_TEXTURE0,
+    GL_TEXTURE_COORD_ARRAY,
+    GL_VERTEX_ARRAY,
+)
 from glshim.spec.context import version
 from glshim.spec.driver import gl
 
-_ARRAYS = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
-"""Vertices, normals, colours, indices, edge flags, fog and secondary colours."""
-_TEXTURE_0, _COORDINATES, _MOST_COORDINATES, _MOST_UNITS = 0x84C0, 0x8078, 0x8871, 0x84E2
+_ARRAYS = (
+    GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,
+    GL_FOG_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY,
+)  # fmt: skip
 _SLIVER = 1e-6
 """Area of a triangle over the square of its longest side below which float32 has no facing for it.
 """
-_MOST_ATTRIBUTES, _ARRAY_BUFFER = 0x8869, 0x8892
 
 
 def put_the_apps_arrays_away() -> None:
@@ -25,18 +40,20 @@ def put_the_apps_arrays_away() -> None:
     for arrays that it does not know."""
     number = version() or (1, 1)
     if number >= (1, 5):
-        gl.glBindBuffer(_ARRAY_BUFFER, 0)
+        gl.glBindBuffer(GL_ARRAY_BUFFER, 0)
     for array in _ARRAYS:
         gl.glDisableClientState(array)
     if number >= (1, 3):
-        most = max(integer(_MOST_UNITS), integer(_MOST_COORDINATES) if number >= (2, 0) else 0)
-        for unit in range(most):
-            gl.glClientActiveTexture(_TEXTURE_0 + unit)
-            gl.glDisableClientState(_COORDINATES)
+        units = integer(GL_MAX_TEXTURE_UNITS)
+        if number >= (2, 0):
+            units = max(units, integer(GL_MAX_TEXTURE_COORDS))
+        for unit in range(units):
+            gl.glClientActiveTexture(GL_TEXTURE0 + unit)
+            gl.glDisableClientState(GL_TEXTURE_COORD_ARRAY)
     else:
-        gl.glDisableClientState(_COORDINATES)
+        gl.glDisableClientState(GL_TEXTURE_COORD_ARRAY)
     if number >= (2, 0):
-        for location in range(integer(_MOST_ATTRIBUTES)):
+        for location in range(integer(GL_MAX_VERTEX_ATTRIBS)):
             gl.glDisableVertexAttribArray(location)
 
 

@@ -2,44 +2,61 @@
 
 from __future__ import annotations
 
-import ctypes
 from types import TracebackType
 
-from glshim.spec.ask import integer
+from glshim.spec.ask import integer, is_enabled
+from glshim.spec.constants import (
+    GL_ACTIVE_TEXTURE,
+    GL_ATTRIB_STACK_DEPTH,
+    GL_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_COLOR_SUM,
+    GL_CURRENT_PROGRAM,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_INVALID_ENUM,
+    GL_INVALID_VALUE,
+    GL_LIST_INDEX,
+    GL_MATRIX_MODE,
+    GL_MAX_ATTRIB_STACK_DEPTH,
+    GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_NO_ERROR,
+    GL_PRIMITIVE_RESTART,
+    GL_RASTERIZER_DISCARD,
+    GL_READ_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_RENDER,
+    GL_RENDER_MODE,
+    GL_RENDERBUFFER,
+    GL_RENDERBUFFER_BINDING,
+    GL_VERTEX_ARRAY_BINDING,
+)
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
 from glshim.spec.driver import gl
 
 _ALL = 0xFFFFFFFF
-_RENDER = 0x1C00
-_NO_ERROR = 0
-
-_STACKS = (0x0BB0, 0x0D35, 0x0BB1, 0x0D3B)  # attribute stack depth, its limit; the client's
-_RENDER_MODE, _MATRIX_MODE = 0x0C40, 0x0BA0
-_LIST_INDEX = 0x0B33
-_PROGRAM = 0x8B8D
-_VERTEX_ARRAY = 0x85B5
-_DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER = 0x8CA6, 0x8CAA
-_RENDERBUFFER = 0x8CA7
-_ACTIVE_TEXTURE = 0x84E0
+_STACKS = (
+    (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),
+    (GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH),
+)
 _SWITCHES = (
-    0x8C89,  # rasterizer discard
-    0x8F9D,  # primitive restart
-    0x8458,  # colour sum, which Mesa forgets
+    GL_RASTERIZER_DISCARD,
+    GL_PRIMITIVE_RESTART,
+    GL_COLOR_SUM,  # which Mesa forgets
 )
 """What no attribute stack gives back. Contexts before 3.0 need not know them."""
-_FRAMEBUFFERS = (_DRAW_FRAMEBUFFER, _READ_FRAMEBUFFER, _RENDERBUFFER)
+_FRAMEBUFFERS = (
+    GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_RENDERBUFFER_BINDING,
+)  # fmt: skip
 
 
 def possible() -> bool:
     """Whether drawing is possible here: no full attribute stack, no list being compiled, no
     selection or feedback going on."""
-    value = ctypes.c_int()
-    at = ctypes.addressof(value)
-    got = []
-    for name in (*_STACKS, _RENDER_MODE, _LIST_INDEX):
-        gl.glGetIntegerv(name, at)
-        got.append(value.value)
-    return got[0] < got[1] and got[2] < got[3] and got[4] == _RENDER and got[5] == 0
+    return (
+        all(integer(depth) < integer(most) for depth, most in _STACKS)
+        and integer(GL_RENDER_MODE) == GL_RENDER
+        and integer(GL_LIST_INDEX) == 0
+    )
 
 
 class Guard:
@@ -57,14 +74,14 @@ class Guard:
     def __enter__(self) -> Guard:
         self._error = gl.glGetError()
         number = version() or (1, 1)
-        self._program = integer(_PROGRAM) if number >= (2, 0) else None
+        self._program = integer(GL_CURRENT_PROGRAM) if number >= (2, 0) else None
         framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
         self._framebuffers = [integer(name) for name in framebuffers]
-        self._mode = integer(_MATRIX_MODE)
-        self._texture = integer(_ACTIVE_TEXTURE) if number >= (1, 3) else None
-        self._array = integer(_VERTEX_ARRAY) if has_vertex_arrays() else None
-        asked = ((switch, bool(gl.glIsEnabled(switch))) for switch in _SWITCHES)
-        self._switches = [known for known in asked if gl.glGetError() == _NO_ERROR]
+        self._mode = integer(GL_MATRIX_MODE)
+        self._texture = integer(GL_ACTIVE_TEXTURE) if number >= (1, 3) else None
+        self._array = integer(GL_VERTEX_ARRAY_BINDING) if has_vertex_arrays() else None
+        asked = ((switch, is_enabled(switch)) for switch in _SWITCHES)
+        self._switches = [known for known in asked if gl.glGetError() == GL_NO_ERROR]
         if self._array:
             gl.glBindVertexArray(0)
         gl.glPushAttrib(_ALL)
@@ -81,9 +98,9 @@ class Guard:
             gl.glUseProgram(self._program)
         if self._framebuffers:
             draw, read, renderbuffer = self._framebuffers
-            gl.glBindFramebuffer(0x8CA9, draw)
-            gl.glBindFramebuffer(0x8CA8, read)
-            gl.glBindRenderbuffer(0x8D41, renderbuffer)
+            gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw)
+            gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, read)
+            gl.glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer)
         if self._array is not None:
             gl.glBindVertexArray(0)
         gl.glPopClientAttrib()
@@ -103,15 +120,15 @@ class Guard:
 def drain() -> None:
     """Forget the errors of our own so far."""
     for _ in range(16):  # a lost context reports errors for ever
-        if gl.glGetError() == _NO_ERROR:
+        if gl.glGetError() == GL_NO_ERROR:
             break
 
 
 def _provoke(error: int) -> None:
     """Set the error flag to one of the three common errors again."""
-    if error == 0x0500:  # invalid enum
+    if error == GL_INVALID_ENUM:
         gl.glEnable(0)
-    elif error == 0x0501:  # invalid value
+    elif error == GL_INVALID_VALUE:
         gl.glLineWidth(-1.0)
-    else:  # invalid operation; the rarer ones cannot be had on purpose
+    else:  # GL_INVALID_OPERATION; the rarer ones cannot be had on purpose
         gl.glEnd()

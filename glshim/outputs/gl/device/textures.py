@@ -2,19 +2,43 @@
 
 from __future__ import annotations
 
-import ctypes
-
 import numpy as np
 
+from glshim.outputs.gl.device.names import delete, made
+from glshim.spec.constants import (
+    GL_CLAMP_TO_EDGE,
+    GL_LINEAR,
+    GL_LINEAR_MIPMAP_LINEAR,
+    GL_PIXEL_UNPACK_BUFFER,
+    GL_REPEAT,
+    GL_RGBA,
+    GL_RGBA8,
+    GL_TEXTURE0,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_MAG_FILTER,
+    GL_TEXTURE_MIN_FILTER,
+    GL_TEXTURE_WRAP_S,
+    GL_TEXTURE_WRAP_T,
+    GL_UNPACK_ALIGNMENT,
+    GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SKIP_ROWS,
+    GL_UNSIGNED_BYTE,
+)
 from glshim.spec.driver import gl
 from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13
 """Texture unit of the image while lines are drawn."""
-_TEXTURE_0, _TEXTURE_2D, _UNPACK_BUFFER = 0x84C0, 0x0DE1, 0x88EC
-_RGBA_8, _RGBA, _BYTE = 0x8058, 0x1908, 0x1401
 _MOST = 16
-_LINEAR, _MIPMAP, _REPEAT, _TO_EDGE = 0x2601, 0x2703, 0x2901, 0x812F
+_UNPACKING = (
+    (GL_UNPACK_ALIGNMENT, 1), (GL_UNPACK_ROW_LENGTH, 0), (GL_UNPACK_SKIP_ROWS, 0),
+    (GL_UNPACK_SKIP_PIXELS, 0),
+)  # fmt: skip
+_PARAMETERS = (
+    (GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR), (GL_TEXTURE_MAG_FILTER, GL_LINEAR),
+    (GL_TEXTURE_WRAP_S, GL_REPEAT), (GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE),
+)  # fmt: skip
 
 
 class Textures:
@@ -25,34 +49,31 @@ class Textures:
 
     def bind(self, image: Image) -> None:
         """Let shaders read an image at `STROKE_UNIT`: repeated along, ending across."""
-        gl.glActiveTexture(_TEXTURE_0 + STROKE_UNIT)
+        gl.glActiveTexture(GL_TEXTURE0 + STROKE_UNIT)
         name = self._names.get(image)
         if name is None:
             if len(self._names) >= _MOST:
                 self._forget()
             name = self._names[image] = self._upload(image)
-        gl.glBindTexture(_TEXTURE_2D, name)
+        gl.glBindTexture(GL_TEXTURE_2D, name)
 
     def _forget(self) -> None:
-        names = (ctypes.c_uint * len(self._names))(*self._names.values())
-        gl.glDeleteTextures(len(names), ctypes.addressof(names))
+        delete("glDeleteTextures", self._names.values())
         self._names.clear()
 
     def _upload(self, image: Image) -> int:
-        value = ctypes.c_uint()
-        gl.glGenTextures(1, ctypes.addressof(value))
-        gl.glBindTexture(_TEXTURE_2D, value.value)
-        gl.glBindBuffer(_UNPACK_BUFFER, 0)
-        for alignment in ((0x0CF5, 1), (0x0CF2, 0), (0x0CF3, 0), (0x0CF4, 0)):
-            gl.glPixelStorei(*alignment)
+        name = made("glGenTextures")
+        gl.glBindTexture(GL_TEXTURE_2D, name)
+        gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
+        for setting in _UNPACKING:
+            gl.glPixelStorei(*setting)
         pixels = np.array(image.pixels[::-1], np.uint8)
         alpha = pixels[..., 3:] / 255.0
         pixels[..., :3] = np.rint(pixels[..., :3] * alpha)
         height, width = pixels.shape[:2]
-        gl.glTexImage2D(_TEXTURE_2D, 0, _RGBA_8, width, height, 0, _RGBA, _BYTE,
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                         pixels.ctypes.data)  # fmt: skip
-        gl.glGenerateMipmap(_TEXTURE_2D)
-        for parameter, setting in ((0x2801, _MIPMAP), (0x2800, _LINEAR), (0x2802, _REPEAT),
-                                   (0x2803, _TO_EDGE)):  # fmt: skip
-            gl.glTexParameteri(_TEXTURE_2D, parameter, setting)
-        return value.value
+        gl.glGenerateMipmap(GL_TEXTURE_2D)
+        for parameter in _PARAMETERS:
+            gl.glTexParameteri(GL_TEXTURE_2D, *parameter)
+        return name

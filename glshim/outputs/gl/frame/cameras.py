@@ -14,9 +14,9 @@ from glshim.outputs.gl.device.textures import STROKE_UNIT
 from glshim.outputs.gl.frame.depth import UNIT as DEPTH_UNIT
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.frame.sheet import SHEET
+from glshim.spec.constants import GL_STENCIL_TEST
 from glshim.spec.driver import gl
 
-_STENCIL_TEST = 0x0B90
 MOST_CLIP_PLANES = 6
 _HAIR = 4.0
 """Steps of the depth buffer between a line and the surface that it belongs to."""
@@ -104,7 +104,7 @@ def scissor(
 def stencil(camera: Camera) -> None:
     """The app's stencil test, as far as it hides."""
     if camera.stencil is None:
-        gl.glDisable(_STENCIL_TEST)
+        gl.glDisable(GL_STENCIL_TEST)
     else:
-        gl.glEnable(_STENCIL_TEST)
+        gl.glEnable(GL_STENCIL_TEST)
         gl.glStencilFunc(*camera.stencil)

@@ -6,42 +6,60 @@ import ctypes
 import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glshim.notices import say
 from glshim.spec.ask import integer, integers, real
+from glshim.spec.constants import (
+    GL_BACK,
+    GL_BLUE_BIAS,
+    GL_BLUE_SCALE,
+    GL_COLOR_ATTACHMENT0,
+    GL_DOUBLEBUFFER,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_FRONT,
+    GL_GREEN_BIAS,
+    GL_GREEN_SCALE,
+    GL_MAP_COLOR,
+    GL_PACK_ALIGNMENT,
+    GL_PACK_LSB_FIRST,
+    GL_PACK_ROW_LENGTH,
+    GL_PACK_SKIP_PIXELS,
+    GL_PACK_SKIP_ROWS,
+    GL_PACK_SWAP_BYTES,
+    GL_PIXEL_PACK_BUFFER,
+    GL_PIXEL_PACK_BUFFER_BINDING,
+    GL_READ_BUFFER,
+    GL_READ_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_RED_BIAS,
+    GL_RED_SCALE,
+    GL_RGB,
+    GL_SAMPLE_BUFFERS,
+    GL_UNSIGNED_BYTE,
+    GL_VIEWPORT,
+)
+from glshim.spec.context import has_fixed_function, version
 from glshim.spec.driver import gl
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-_VIEWPORT, _VERSION, _DOUBLEBUFFER = 0x0BA2, 0x1F02, 0x0C32
-_FRAMEBUFFERS = ((0x8CA8, 0x8CAA), (0x8CA9, 0x8CA6))  # read, draw: target and binding
-_PIXEL_PACK_BUFFER, _PIXEL_PACK_BUFFER_BINDING = 0x88EB, 0x88ED
-_READ_BUFFER, _FRONT, _BACK = 0x0C02, 0x0404, 0x0405
-_COLOR_ATTACHMENT, _SAMPLE_BUFFERS = 0x8CE0, 0x80A8
-_RGB, _UNSIGNED_BYTE = 0x1907, 0x1401
-_CONTEXT_PROFILE_MASK, _CORE_PROFILE = 0x9126, 0x1
-
+_FRAMEBUFFERS = (
+    (GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING),
+    (GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING),
+)
+"""Targets and bindings."""
 _PACKING = (
-    (0x0D00, 0),  # GL_PACK_SWAP_BYTES
-    (0x0D01, 0),  # GL_PACK_LSB_FIRST
-    (0x0D02, 0),  # GL_PACK_ROW_LENGTH
-    (0x0D03, 0),  # GL_PACK_SKIP_ROWS
-    (0x0D04, 0),  # GL_PACK_SKIP_PIXELS
-    (0x0D05, 1),  # GL_PACK_ALIGNMENT
-)
+    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_LSB_FIRST, 0), (GL_PACK_ROW_LENGTH, 0),
+    (GL_PACK_SKIP_ROWS, 0), (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 1),
+)  # fmt: skip
 _TRANSFER = (
-    (0x0D10, 0.0),  # GL_MAP_COLOR
-    (0x0D14, 1.0),  # GL_RED_SCALE, GL_RED_BIAS, and so on
-    (0x0D15, 0.0),
-    (0x0D18, 1.0),
-    (0x0D19, 0.0),
-    (0x0D1A, 1.0),
-    (0x0D1B, 0.0),
-)
+    (GL_MAP_COLOR, 0.0), (GL_RED_SCALE, 1.0), (GL_RED_BIAS, 0.0), (GL_GREEN_SCALE, 1.0),
+    (GL_GREEN_BIAS, 0.0), (GL_BLUE_SCALE, 1.0), (GL_BLUE_BIAS, 0.0),
+)  # fmt: skip
 
 
 def grab(size: tuple[int, int] | None = None, framebuffer: int = 0) -> Image:
@@ -54,12 +72,12 @@ def grab(size: tuple[int, int] | None = None, framebuffer: int = 0) -> Image:
     from PIL import Image
 
     if size is None:
-        _, _, *extent = integers(_VIEWPORT, 4)
+        _, _, *extent = integers(GL_VIEWPORT, 4)
         size = extent[0], extent[1]
     pixels = ctypes.create_string_buffer(size[0] * size[1] * 3)
     with _plain_reading(framebuffer) as readable:
         if readable:
-            gl.glReadPixels(0, 0, *size, _RGB, _UNSIGNED_BYTE, pixels)
+            gl.glReadPixels(0, 0, *size, GL_RGB, GL_UNSIGNED_BYTE, pixels)
     return Image.frombytes("RGB", size, pixels.raw, "raw", "RGB", 0, -1)
 
 
@@ -111,38 +129,24 @@ def _plain_reading(framebuffer: int) -> Iterator[bool]:
         function(*new)
         undo.append((function, (*new[:-1], back_to)))
 
-    version = _version()
-    if version >= (3, 0):
+    number = version() or (1, 1)
+    if number >= (3, 0):
         # The draw binding too: GL_DOUBLEBUFFER tells about that one.
         for target, binding in _FRAMEBUFFERS:
             change(gl.glBindFramebuffer, target, framebuffer, back_to=integer(binding))
-    if version >= (2, 1):
-        bound = integer(_PIXEL_PACK_BUFFER_BINDING)
-        change(gl.glBindBuffer, _PIXEL_PACK_BUFFER, 0, back_to=bound)
-    window_buffer = _BACK if integer(_DOUBLEBUFFER) else _FRONT
-    buffer = _COLOR_ATTACHMENT if framebuffer else window_buffer
-    change(gl.glReadBuffer, buffer, back_to=integer(_READ_BUFFER))
+    if number >= (2, 1):
+        bound = integer(GL_PIXEL_PACK_BUFFER_BINDING)
+        change(gl.glBindBuffer, GL_PIXEL_PACK_BUFFER, 0, back_to=bound)
+    window_buffer = GL_BACK if integer(GL_DOUBLEBUFFER) else GL_FRONT
+    buffer = GL_COLOR_ATTACHMENT0 if framebuffer else window_buffer
+    change(gl.glReadBuffer, buffer, back_to=integer(GL_READ_BUFFER))
     for name, value in _PACKING:
         change(gl.glPixelStorei, name, value, back_to=integer(name))
-    if version < (3, 2) or not integer(_CONTEXT_PROFILE_MASK) & _CORE_PROFILE:
+    if has_fixed_function():
         for name, plain in _TRANSFER:
-            change(_pixel_transfer(), name, plain, back_to=real(name))
+            change(gl.glPixelTransferf, name, plain, back_to=real(name))
     try:
-        yield not (framebuffer and integer(_SAMPLE_BUFFERS))
+        yield not (framebuffer and integer(GL_SAMPLE_BUFFERS))
     finally:
         for function, arguments in reversed(undo):
             function(*arguments)
-
-
-@cache
-def _pixel_transfer() -> Callable[..., Any]:
-    from OpenGL.platform import PLATFORM
-
-    prototype = ctypes.CFUNCTYPE(None, ctypes.c_uint, ctypes.c_float)
-    return prototype(("glPixelTransferf", PLATFORM.GL))
-
-
-def _version() -> tuple[int, int]:
-    text = ctypes.string_at(gl.glGetString(_VERSION))
-    found = re.search(rb"(\d+)\.(\d+)", text)
-    return (int(found[1]), int(found[2])) if found else (1, 1)

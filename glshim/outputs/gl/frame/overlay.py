@@ -6,7 +6,6 @@ has it.
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Sequence
 
 import numpy as np
@@ -15,7 +14,44 @@ from numpy.typing import NDArray
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.wrapping import wrapped
-from glshim.spec.ask import integer
+from glshim.spec.ask import integer, integers
+from glshim.spec.constants import (
+    GL_ALPHA_BIAS,
+    GL_ALPHA_SCALE,
+    GL_BLEND,
+    GL_BLUE_BIAS,
+    GL_BLUE_SCALE,
+    GL_COLOR_SUM,
+    GL_FOG,
+    GL_FRAGMENT_PROGRAM_ARB,
+    GL_FRAMEBUFFER,
+    GL_FUNC_ADD,
+    GL_GREEN_BIAS,
+    GL_GREEN_SCALE,
+    GL_MAP_COLOR,
+    GL_MAX_TEXTURE_UNITS,
+    GL_ONE,
+    GL_ONE_MINUS_SRC_ALPHA,
+    GL_PIXEL_UNPACK_BUFFER,
+    GL_RED_BIAS,
+    GL_RED_SCALE,
+    GL_RGBA,
+    GL_SCISSOR_TEST,
+    GL_TEXTURE0,
+    GL_TEXTURE_1D,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_3D,
+    GL_TEXTURE_CUBE_MAP,
+    GL_TEXTURE_RECTANGLE,
+    GL_UNPACK_ALIGNMENT,
+    GL_UNPACK_LSB_FIRST,
+    GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_PIXELS,
+    GL_UNPACK_SKIP_ROWS,
+    GL_UNPACK_SWAP_BYTES,
+    GL_UNSIGNED_BYTE,
+    GL_VIEWPORT,
+)
 from glshim.spec.context import shortcoming
 from glshim.spec.driver import gl
 
@@ -23,20 +59,18 @@ MARGIN, PADDING = 8, 7
 """Pixels around the panel, and in it around the text."""
 _SIZE = 13.0
 _PAPER, _INK, _FAINT = (12, 14, 18, 200), (255, 255, 255, 255), (190, 198, 208, 255)
-_FRAMEBUFFER = 0x8D40
-_BLEND, _ADD, _ONE, _REST = 0x0BE2, 0x8006, 1, 0x0303
-_SCISSOR_TEST, _RGBA, _BYTE = 0x0C11, 0x1908, 0x1401
-_UNPACK_BUFFER = 0x88EC
-_UNPACKING = ((0x0CF0, 0), (0x0CF1, 0), (0x0CF2, 0), (0x0CF3, 0), (0x0CF4, 0), (0x0CF5, 1))
-"""GL_UNPACK_SWAP_BYTES, LSB_FIRST, ROW_LENGTH, SKIP_ROWS, SKIP_PIXELS, ALIGNMENT."""
+_UNPACKING = (
+    (GL_UNPACK_SWAP_BYTES, 0), (GL_UNPACK_LSB_FIRST, 0), (GL_UNPACK_ROW_LENGTH, 0),
+    (GL_UNPACK_SKIP_ROWS, 0), (GL_UNPACK_SKIP_PIXELS, 0), (GL_UNPACK_ALIGNMENT, 1),
+)  # fmt: skip
 _TRANSFER = (
-    (0x0D10, 0.0),  # GL_MAP_COLOR
-    *((scale, 1.0) for scale in (0x0D14, 0x0D18, 0x0D1A, 0x0D1C)),
-    *((bias, 0.0) for bias in (0x0D15, 0x0D19, 0x0D1B, 0x0D1D)),
-)
-_TEXTURING = (0x0DE0, 0x0DE1, 0x806F, 0x8513, 0x84F5)
-_FOG, _COLOR_SUM, _FRAGMENT_PROGRAM = 0x0B60, 0x8458, 0x8804
-_TEXTURE_0, _TEXTURE_UNITS = 0x84C0, 0x84E2
+    (GL_MAP_COLOR, 0.0), (GL_RED_SCALE, 1.0), (GL_GREEN_SCALE, 1.0), (GL_BLUE_SCALE, 1.0),
+    (GL_ALPHA_SCALE, 1.0), (GL_RED_BIAS, 0.0), (GL_GREEN_BIAS, 0.0), (GL_BLUE_BIAS, 0.0),
+    (GL_ALPHA_BIAS, 0.0),
+)  # fmt: skip
+_TEXTURES = (
+    GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE,
+)  # fmt: skip
 
 
 def panel(lines: Sequence[str], most_width: int) -> NDArray[np.uint8]:
@@ -71,35 +105,34 @@ def show(pixels: NDArray[np.uint8], size: tuple[int, int] | None, framebuffer: i
     if shortcoming() or not possible():
         return
     if size is None:
-        viewport = (ctypes.c_int * 4)()
-        gl.glGetIntegerv(0x0BA2, ctypes.addressof(viewport))
-        size = viewport[0] + viewport[2], viewport[1] + viewport[3]
+        x, y, across, up = integers(GL_VIEWPORT, 4)
+        size = x + across, y + up
     rows = np.ascontiguousarray(pixels[::-1])
     height, width = rows.shape[:2]
     with Guard():
-        gl.glBindFramebuffer(_FRAMEBUFFER, framebuffer)
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer)
         _plainly()
         gl.glWindowPos2i(MARGIN, size[1] - MARGIN - height)
-        gl.glDrawPixels(width, height, _RGBA, _BYTE, rows.ctypes.data)
+        gl.glDrawPixels(width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.ctypes.data)
 
 
 def _plainly() -> None:
     """Inside the guard: pixels that are drawn arrive as they are, blended."""
     plainly()
-    gl.glDisable(_SCISSOR_TEST)
+    gl.glDisable(GL_SCISSOR_TEST)
     gl.glUseProgram(0)
-    for unit in range(integer(_TEXTURE_UNITS)):
-        gl.glActiveTexture(_TEXTURE_0 + unit)
-        for target in _TEXTURING:
+    for unit in range(integer(GL_MAX_TEXTURE_UNITS)):
+        gl.glActiveTexture(GL_TEXTURE0 + unit)
+        for target in _TEXTURES:
             gl.glDisable(target)
-    for switch in (_FOG, _COLOR_SUM, _FRAGMENT_PROGRAM):
+    for switch in (GL_FOG, GL_COLOR_SUM, GL_FRAGMENT_PROGRAM_ARB):
         gl.glDisable(switch)
-    gl.glEnable(_BLEND)
-    gl.glBlendEquation(_ADD)
-    gl.glBlendFunc(_ONE, _REST)
+    gl.glEnable(GL_BLEND)
+    gl.glBlendEquation(GL_FUNC_ADD)
+    gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
     gl.glPixelZoom(1.0, 1.0)
     for name, value in _TRANSFER:
         gl.glPixelTransferf(name, value)
-    gl.glBindBuffer(_UNPACK_BUFFER, 0)
+    gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
     for setting in _UNPACKING:
         gl.glPixelStorei(*setting)
