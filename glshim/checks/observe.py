@@ -14,10 +14,31 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from OpenGL import GL
-from OpenGL.platform import PLATFORM
 
-bare = ctypes.CDLL(PLATFORM.GL._name)
+from glshim.spec.ask import integer, is_enabled, reals
+from glshim.spec.driver import gl
+
 _SKIPPED = ("_TOKEN", "NUM_EXTENSIONS", "PERFMON", "NVX", "MEMORY_INFO", "TIMESTAMP", "MEM_INFO")
+_MATERIAL = (GL.GL_AMBIENT, GL.GL_DIFFUSE, GL.GL_SPECULAR, GL.GL_EMISSION, GL.GL_SHININESS,
+             GL.GL_COLOR_INDEXES)  # fmt: skip
+_LIGHT = (GL.GL_AMBIENT, GL.GL_DIFFUSE, GL.GL_SPECULAR, GL.GL_POSITION, GL.GL_SPOT_EXPONENT)
+_POINTERS = (
+    GL.GL_VERTEX_ARRAY_POINTER, GL.GL_NORMAL_ARRAY_POINTER, GL.GL_COLOR_ARRAY_POINTER,
+    GL.GL_INDEX_ARRAY_POINTER, GL.GL_TEXTURE_COORD_ARRAY_POINTER, GL.GL_EDGE_FLAG_ARRAY_POINTER,
+    GL.GL_FOG_COORD_ARRAY_POINTER, GL.GL_SECONDARY_COLOR_ARRAY_POINTER,
+)  # fmt: skip
+_ATTRIBUTE = (
+    GL.GL_VERTEX_ATTRIB_ARRAY_ENABLED, GL.GL_VERTEX_ATTRIB_ARRAY_SIZE,
+    GL.GL_VERTEX_ATTRIB_ARRAY_STRIDE, GL.GL_VERTEX_ATTRIB_ARRAY_TYPE,
+    GL.GL_VERTEX_ATTRIB_ARRAY_NORMALIZED, GL.GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING,
+)  # fmt: skip
+_STACKS = (
+    ("modelview", GL.GL_MODELVIEW, GL.GL_MODELVIEW_MATRIX, GL.GL_MODELVIEW_STACK_DEPTH),
+    ("projection", GL.GL_PROJECTION, GL.GL_PROJECTION_MATRIX, GL.GL_PROJECTION_STACK_DEPTH),
+    ("texture", GL.GL_TEXTURE, GL.GL_TEXTURE_MATRIX, GL.GL_TEXTURE_STACK_DEPTH),
+)
+_ATTRIBUTES, _UNITS = 16, 8
+"""Vertex attributes and texture units that are looked at."""
 queries: dict[int, str] = {}
 
 
@@ -100,14 +121,15 @@ def observe(app: App, width: int, height: int) -> Outcome:
     picture = GL.glReadPixels(0, 0, width, height, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
     state = dump()
     depth = np.zeros((height, width), np.float32)
-    bare.glReadPixels(0, 0, width, height, 0x1902, 0x1406, at(depth))
+    gl.glReadPixels(0, 0, width, height, GL.GL_DEPTH_COMPONENT, GL.GL_FLOAT, at(depth))
     return Outcome(
         app.saw, np.frombuffer(picture, np.uint8).reshape(height, width, 4), depth, state
     )
 
 
-def at(array: NDArray[Any]) -> ctypes.c_void_p:
-    return ctypes.c_void_p(array.ctypes.data)
+def at(array: NDArray[Any]) -> int:
+    """Its address."""
+    return int(array.ctypes.data)
 
 
 def dump() -> dict[str, Any]:
@@ -128,15 +150,15 @@ def _values() -> dict[str, Any]:
                 continue
             if any(part in name for part in _SKIPPED):
                 continue
-            bare.glGetDoublev(int(token), at(out))
-            if bare.glGetError() == 0:
+            gl.glGetDoublev(int(token), at(out))
+            if gl.glGetError() == 0:
                 queries[int(token)] = name
     found = {}
     for token, name in queries.items():
         out[:] = 0.0
-        bare.glGetDoublev(token, at(out))
+        gl.glGetDoublev(token, at(out))
         found[name] = tuple(np.trim_zeros(out, "b").tolist())
-    while bare.glGetError():
+    while gl.glGetError():
         pass
     return found
 
@@ -148,29 +170,27 @@ def _vectors() -> dict[str, Any]:
 
     def ask(function: str, *args: int) -> None:
         out[:] = 0.0
-        getattr(bare, function)(*args, at(out))
+        getattr(gl, function)(*args, at(out))
         found[f"{function}{args}"] = tuple(out.tolist())
 
-    for face in (0x0404, 0x0405):
-        for name in (0x1200, 0x1201, 0x1202, 0x1600, 0x1601, 0x1603):
+    for face in (GL.GL_FRONT, GL.GL_BACK):
+        for name in _MATERIAL:
             ask("glGetMaterialfv", face, name)
-    for light in (0x4000, 0x4001):
-        for name in (*range(0x1200, 0x1204), 0x1205):
+    for light in (GL.GL_LIGHT0, GL.GL_LIGHT1):
+        for name in _LIGHT:
             ask("glGetLightfv", light, name)
-    for name in (0x2200, 0x2201):
-        ask("glGetTexEnvfv", 0x2300, name)
-    for coordinate in (0x2000, 0x2001):
-        for name in (0x2500, 0x2501, 0x2502):
+    for name in (GL.GL_TEXTURE_ENV_MODE, GL.GL_TEXTURE_ENV_COLOR):
+        ask("glGetTexEnvfv", GL.GL_TEXTURE_ENV, name)
+    for coordinate in (GL.GL_S, GL.GL_T):
+        for name in (GL.GL_TEXTURE_GEN_MODE, GL.GL_OBJECT_PLANE, GL.GL_EYE_PLANE):
             ask("glGetTexGenfv", coordinate, name)
-    for index in range(1, 16):
-        ask("glGetVertexAttribfv", index, 0x8626)
-    active = ctypes.c_int()
-    bare.glGetIntegerv(0x84E0, ctypes.byref(active))
-    for unit in range(8):
-        bare.glActiveTexture(0x84C0 + unit)
-        ask("glGetFloatv", 0x0B03)
-        found[f"current texture coordinates {unit}"] = found.pop("glGetFloatv(2819,)")
-    bare.glActiveTexture(active.value)
+    for index in range(1, _ATTRIBUTES):
+        ask("glGetVertexAttribfv", index, GL.GL_CURRENT_VERTEX_ATTRIB)
+    active = integer(GL.GL_ACTIVE_TEXTURE)
+    for unit in range(_UNITS):
+        gl.glActiveTexture(GL.GL_TEXTURE0 + unit)
+        found[f"current texture coordinates {unit}"] = reals(GL.GL_CURRENT_TEXTURE_COORDS, 4)
+    gl.glActiveTexture(active)
     return found
 
 
@@ -181,37 +201,33 @@ def _vertex_arrays() -> dict[str, Any]:
     def address() -> Any:
         return pointer.value if (pointer.value or 0) < 65536 else "memory"
 
-    for name in (0x808E, 0x808F, 0x8090, 0x8091, 0x8092, 0x8093, 0x8456, 0x845D):
-        bare.glGetPointerv(name, ctypes.byref(pointer))
-        found[f"pointer {name:#x}"] = address()
-    for index in range(16):
-        for name in (0x8622, 0x8623, 0x8624, 0x8625, 0x886A, 0x889F):
-            bare.glGetVertexAttribiv(index, name, ctypes.byref(value))
-            found[f"attribute {index} {name:#x}"] = value.value
-        bare.glGetVertexAttribPointerv(index, 0x8645, ctypes.byref(pointer))
+    for name in _POINTERS:
+        gl.glGetPointerv(name, ctypes.byref(pointer))
+        found[f"pointer {int(name):#x}"] = address()
+    for index in range(_ATTRIBUTES):
+        for name in _ATTRIBUTE:
+            gl.glGetVertexAttribiv(index, name, ctypes.byref(value))
+            found[f"attribute {index} {int(name):#x}"] = value.value
+        gl.glGetVertexAttribPointerv(
+            index, GL.GL_VERTEX_ATTRIB_ARRAY_POINTER, ctypes.byref(pointer)
+        )
         found[f"attribute {index} pointer"] = address()
-    client = ctypes.c_int()
-    bare.glGetIntegerv(0x84E1, ctypes.byref(client))
-    for unit in range(8):
-        bare.glClientActiveTexture(0x84C0 + unit)
-        found[f"texture array {unit}"] = bare.glIsEnabled(0x8078) & 255
-    bare.glClientActiveTexture(client.value)
+    client = integer(GL.GL_CLIENT_ACTIVE_TEXTURE)
+    for unit in range(_UNITS):
+        gl.glClientActiveTexture(GL.GL_TEXTURE0 + unit)
+        found[f"texture array {unit}"] = is_enabled(GL.GL_TEXTURE_COORD_ARRAY)
+    gl.glClientActiveTexture(client)
     return found
 
 
 def _matrix_stacks() -> dict[str, Any]:
     found: dict[str, Any] = {}
-    depth, matrix = ctypes.c_int(), np.zeros(16)
-    for name, mode, top, level in (
-        ("modelview", 0x1700, 0x0BA6, 0x0BA3),
-        ("projection", 0x1701, 0x0BA7, 0x0BA4),
-        ("texture", 0x1702, 0x0BA8, 0x0BA5),
-    ):
-        bare.glMatrixMode(mode)
-        bare.glGetIntegerv(level, ctypes.byref(depth))
-        for position in range(depth.value, 0, -1):
-            bare.glGetDoublev(top, at(matrix))
+    matrix = np.zeros(16)
+    for name, mode, top, level in _STACKS:
+        gl.glMatrixMode(mode)
+        for position in range(integer(level), 0, -1):
+            gl.glGetDoublev(top, at(matrix))
             found[f"{name} {position}"] = tuple(matrix.tolist())
             if position > 1:
-                bare.glPopMatrix()
+                gl.glPopMatrix()
     return found
