@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from math import degrees
 from typing import Any
 
+from glshim.model.dihedral import GRAIN
 from glshim.styling.protocol import Colour, option
 from stylers.strokes import MADE
 
@@ -59,9 +61,15 @@ def shade_unlit() -> Any:
 def crease_angle(default: float) -> Any:
     """``crease_angle``."""
     return option(
-        default, help="creases are where polygons turn by more", low=0.0, high=180.0,
+        default, help="creases are where polygons turn by at least this", low=0.0, high=180.0,
         unit="degrees",
     )  # fmt: skip
+
+
+def folds(crease_angle: float) -> tuple[float, float]:
+    """The ridge angle and the valley angle, degrees, of edges whose polygons turn by at least a
+    crease angle to either side: it includes its own folds, as a valley angle does not."""
+    return 180.0 - crease_angle, max(180.0 + crease_angle - 2.0 * degrees(GRAIN), 180.0)
 
 
 def tolerance(default: float = 1e-5) -> Any:

@@ -33,6 +33,7 @@ from glshim.linework.polygon_lines import (
 )
 from glshim.linework.smooth_lines import SmoothPieces
 from glshim.model.camera import Camera, cofactors
+from glshim.model.dihedral import GRAIN, is_ridge, is_valley
 from glshim.model.lines import (
     BOUNDARY,
     CONTOUR,
@@ -161,8 +162,8 @@ class _Seen:
         none = np.empty(0, np.intp)
         return Decided(
             self._contours() if wanted.contours else none,
-            self._creases(wanted.ridge_angle, RIDGE),
-            self._creases(wanted.valley_angle, VALLEY),
+            self._ridges(wanted.ridge_angle),
+            self._valleys(wanted.valley_angle),
             topology.marked_rows if wanted.marked else none,
             topology.open_rows if wanted.boundary else none,
         )
@@ -177,22 +178,33 @@ class _Seen:
         flat = self._lines.folds(None).sine(rows[inner]) <= FLAT
         return np.delete(rows, inner[flat])
 
-    def _creases(self, angle: float | None, kind: int) -> Rows:
-        """(N,) edges that fold by less, or by more, than an angle, from the side that the app
-        calls front, or in open components from the side that is seen. Eye space."""
+    def _ridges(self, angle: float | None) -> Rows:
+        """(N,) edges, see `is_ridge`."""
         if angle is None:
             return np.empty(0, np.intp)
+        rows, angles = self._dihedral(np.pi - angle - GRAIN)
+        return rows[is_ridge(angles, angle) & ~self._apart[rows]]
+
+    def _valleys(self, angle: float | None) -> Rows:
+        """(N,) edges, see `is_valley`."""
+        if angle is None:
+            return np.empty(0, np.intp)
+        rows, angles = self._dihedral(angle + GRAIN - np.pi)
+        return rows[is_valley(angles, angle) & ~self._apart[rows]]
+
+    def _dihedral(self, least: float) -> tuple[Rows, Doubles]:
+        """(N,) edges that fold by more than an angle (radians, from flat), and (N,) their dihedral
+        angles from the side that the app calls front, or in open components from the side that is
+        seen. Eye space."""
         camera, topology = self._camera, self._lines.topology
         if are_similarities(camera.modelview[None])[0]:
             folds, mirrored = self._lines.folds(None), camera.mirrored
         else:
             folds = self._lines.folds(camera.modelview[:3, :3])
             mirrored = float(np.linalg.det(camera.projection)) > 0.0
-        rows, angles = folds.beyond(angle - np.pi if kind == VALLEY else np.pi - angle)
+        rows, angles = folds.beyond(least)
         ahead = np.where(topology.single_sided[rows], camera.front_ccw, self.ccw_a[rows])
-        angles = np.where(ahead != mirrored, angles, 2.0 * np.pi - angles)
-        apt = angles < angle if kind == RIDGE else angles > angle
-        return rows[apt & ~self._apart[rows]]
+        return rows, np.where(ahead != mirrored, angles, 2.0 * np.pi - angles)
 
     def records(self, rows: Rows, kind: int | Rows, *, outline: bool = False) -> Floats:
         """Records of edges; of an outline with the normal of its back-facing triangle."""

@@ -12,6 +12,7 @@ from glshim.geometry.edges.gather import Places
 from glshim.linework.chains import link, measure
 from glshim.linework.hand import own_numbers
 from glshim.model.camera import Camera, cofactors
+from glshim.model.dihedral import is_ridge, is_valley
 from glshim.model.lines import (
     CONTOUR,
     FIN,
@@ -34,8 +35,6 @@ Floats = NDArray[np.float32]
 
 SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
-_ANGLE_GRAIN = 1e-3
-"""Radians by which a fold may miss the threshold for rounding: a hexagonal nut has 120 degrees."""
 
 _CROWD = 12
 """Most polygons on an edge whose folds are all looked at; of more, depth decides."""
@@ -231,10 +230,10 @@ def together(edges: Edges, seen: Seen, choice: Choice) -> _Found:
         one, other = first[across], second[across]
         folds = seen.folds(one, other, edges.folds[across])
         if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
-            sharp = folds <= choice.ridge_angle + _ANGLE_GRAIN
+            sharp = is_ridge(folds, choice.ridge_angle)
             found.append((RIDGE, one[sharp], other[sharp]))
         if choice.valley_angle is not None:
-            deep = folds > choice.valley_angle + _ANGLE_GRAIN
+            deep = is_valley(folds, choice.valley_angle)
             found.append((VALLEY, one[deep], other[deep]))
 
     sides, edge = edges.crowds
@@ -248,10 +247,10 @@ def together(edges: Edges, seen: Seen, choice: Choice) -> _Found:
         inner = ~contour & seen.front[sides]
         least, most = _crowded_folds(edges, seen, sides, edge)
         if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
-            sharp = least[edge] <= choice.ridge_angle + _ANGLE_GRAIN
+            sharp = is_ridge(least[edge], choice.ridge_angle)
             found.append((LONE_RIDGE, sides[inner & sharp], None))
         if choice.valley_angle is not None:
-            deep = most[edge] > choice.valley_angle + _ANGLE_GRAIN
+            deep = is_valley(most[edge], choice.valley_angle)
             found.append((LONE_VALLEY, sides[inner & deep], None))
     return found
 

@@ -110,7 +110,7 @@ class Sieve:
     wanted: int
     """Bits of `glshim.geometry.meshshaders.edge_mesh.features`, or ``CREASE`` and ``SMOOTH``."""
     angles: tuple[float, float] = (0.0, 0.0)
-    """Of ridges and valleys, radians."""
+    """Of ridges and valleys, radians (`glshim.model.dihedral.crease_limits`)."""
     shortest: float = 0.0
     """Pixels: a body none of whose sides can be that long on the screen is left out."""
 

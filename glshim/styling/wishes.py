@@ -27,9 +27,9 @@ class Choice:
 
     silhouettes: bool = False
     ridge_angle: float | None = None
-    """Greatest dihedral angle of a ridge in radians, or None for no ridges."""
+    """Greatest dihedral angle of a ridge (`glshim.model.dihedral`), radians; None for no ridges."""
     valley_angle: float | None = None
-    """Dihedral angle in radians above which an edge is a valley, or None for no valleys."""
+    """A valley has a greater dihedral angle, radians; None for no valleys."""
     intersections: bool = False
     connectivity: bool = True
     """Whether neighbours are looked for. Without, depth alone decides, as in the paper."""
@@ -43,9 +43,9 @@ class Features:
 
     contours: bool = False
     ridge_angle: float | None = None
-    """A ridge's dihedral angle is less, radians; None for no ridges."""
+    """Greatest dihedral angle of a ridge (`glshim.model.dihedral`), radians; None for no ridges."""
     valley_angle: float | None = None
-    """A valley's dihedral angle is more, radians; None for no valleys."""
+    """A valley has a greater dihedral angle, radians; None for no valleys."""
     marked: bool = False
     boundary: bool = False
     smooth: bool = False

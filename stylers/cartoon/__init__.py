@@ -120,9 +120,9 @@ class Cartoon(Styler):
     def _lines(self) -> EdgeMesh:
         inner = self.line_width > 0.0
         width = max(self.line_width, 0.5)
+        ridge, valley = options.folds(self.crease_angle)
         return EdgeMesh(
-            ridges=inner, valleys=inner, ridge_angle=180.0 - self.crease_angle,
-            valley_angle=180.0 + self.crease_angle,
+            ridges=inner, valleys=inner, ridge_angle=ridge, valley_angle=valley,
             contour_width=self.outline_width, boundary_width=self.outline_width,
             ridge_width=width, valley_width=width, contour_ink=self.ink, boundary_ink=self.ink,
             ridge_ink=self.ink, valley_ink=self.ink, tolerance=self.tolerance,

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import cos, radians, sin
+from math import cos, degrees, radians, sin
 from typing import Any, ClassVar, cast
 
 from glshim.geometry.raskar import INWARD
+from glshim.model.dihedral import crease_limits
 from glshim.model.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
 from glshim.styling.passes import Pass
 from glshim.styling.pictures import Image
@@ -25,8 +26,6 @@ from stylers.strokes import made
 _SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
 _DASH = 12.0
 """Pixels of a dash of a hidden line with the gap after it."""
-_GRAIN = 0.06
-"""Degrees by which a fold may miss the greatest angle for rounding: a hexagonal nut has 120."""
 _DIMMED = 0.3
 """Share of the ink of dimmed lines."""
 
@@ -136,7 +135,7 @@ class EdgeMesh(Styler):
         pattern, image, tinted = self._stroke()
         wanted = Features(
             contours=self.contours and not self.outer,
-            ridge_angle=radians(self.ridge_angle + _GRAIN) if self.ridges else None,
+            ridge_angle=radians(self.ridge_angle) if self.ridges else None,
             valley_angle=radians(self.valley_angle) if self.valleys else None,
             marked=self.marked,
             boundary=self.boundary,
@@ -165,6 +164,7 @@ class EdgeMesh(Styler):
             image, length, _ = made(
                 self.texture, self.contour_width, self.texture_length
             )
+        limits = crease_limits(radians(self.ridge_angle), radians(self.valley_angle))
         return PaperLook(
             strokes=cast(Any, self.strokes),
             caps=cast(Any, self.caps),
@@ -177,8 +177,8 @@ class EdgeMesh(Styler):
                 self.contour_ink, self.ridge_ink, self.valley_ink, self.marked_ink,
                 self.boundary_ink,
             ),
-            ridge_angle=min(self.ridge_angle + _GRAIN, 360.0),
-            valley_angle=360.0 - self.valley_angle,
+            ridge_angle=degrees(limits[0]),
+            valley_angle=degrees(limits[1]),
             hidden=cast(Any, self.hidden),
             outer=self.outer,
             image=image,

@@ -20,11 +20,10 @@ from glshim.styling.protocol import Colour, Layer, Lines, Medium, Shader, Unifor
 from glshim.styling.wishes import Choice, Features, Pattern
 from stylers.crossings import looked_for
 from stylers.hand.expansion import expand
+from stylers.options import folds
 
 _HERE = files(__package__)
 _RASKAR = files("stylers.raskar")
-_GRAIN = 0.06
-"""Degrees by which a fold may miss the greatest angle for rounding."""
 _PERIOD = 220.0
 """Pixels of a stroke after which a hand's motion repeats."""
 
@@ -51,7 +50,7 @@ class Hand:
     """How lines are drawn."""
 
     crease_angle: float
-    """Degrees: edges at which polygons turn by more are drawn."""
+    """Degrees: edges at which polygons turn by at least so much are drawn."""
     widths: tuple[float, float]
     """Pixels: of outlines and of what lies within."""
     inks: tuple[Colour, Colour]
@@ -107,10 +106,11 @@ class Hand:
 
 def features(hand: Hand) -> Features:
     """The lines that are drawn, as strokes from corner to corner."""
+    ridge, valley = folds(hand.crease_angle)
     return Features(
         contours=True,
-        ridge_angle=radians(180.0 - hand.crease_angle + _GRAIN),
-        valley_angle=radians(180.0 + hand.crease_angle),
+        ridge_angle=radians(ridge),
+        valley_angle=radians(valley),
         boundary=True,
         smooth=hand.smooth,
         suggestive=hand.suggestive,

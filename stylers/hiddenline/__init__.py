@@ -58,9 +58,9 @@ class HiddenLine(Styler):
     @property
     def _lines(self) -> EdgeMesh:
         """Every side folds by 0 degrees or more one way or the other."""
-        least = 0.0 if self.edges == "all" else self.crease_angle
+        ridge, valley = options.folds(0.0 if self.edges == "all" else self.crease_angle)
         return EdgeMesh(
-            ridge_angle=180.0 - least, valley_angle=180.0 + least, contour_width=self.width,
+            ridge_angle=ridge, valley_angle=valley, contour_width=self.width,
             boundary_width=self.width, ridge_width=self.width, valley_width=self.width,
             contour_ink=self.line, boundary_ink=self.line, ridge_ink=self.line,
             valley_ink=self.line, hidden=self.hidden, tolerance=self.tolerance,

@@ -122,12 +122,13 @@ class Technical(Styler):
         hidden = self.hidden
         if hidden == "auto":
             hidden = "none" if is_dense(layer) else "dashed"
-        ridge = _WHITE if self.white_edges else self.ink
+        ridge_ink = _WHITE if self.white_edges else self.ink
+        ridge, valley = options.folds(self.crease_angle)
         return EdgeMesh(
-            ridge_angle=180.0 - self.crease_angle, valley_angle=180.0 + self.crease_angle,
+            ridge_angle=ridge, valley_angle=valley,
             contour_width=self.line_width, boundary_width=self.line_width,
             ridge_width=self.line_width, valley_width=self.line_width,
-            contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge, valley_ink=self.ink,
+            contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge_ink, valley_ink=self.ink,
             hidden=hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
             contours=hidden != "none",
         )  # fmt: skip

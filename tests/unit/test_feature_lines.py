@@ -24,6 +24,7 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.linework.feature_lines import EdgeLines, feature_lines
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
+from glshim.model.dihedral import GRAIN, crease_limits
 from glshim.model.lines import BOUNDARY as BOUNDARY_GROUP
 from glshim.model.lines import FIN, GROUP, RECORD, group_of
 from glshim.styling.wishes import Features
@@ -66,7 +67,7 @@ def oracle(whole, camera, angles=ANGLES):
     points = whole.positions @ linear.T + camera.modelview[:3, 3]
     eye = camera.centre * np.sign(camera.centre @ camera.viewpoint)
     facing = np.sign(camera.centre @ camera.viewpoint) * (1.0 if camera.front_ccw else -1.0)
-    external = (angles[0], 2 * np.pi - angles[1])
+    external = crease_limits(*angles)
     found = np.zeros(len(whole.edges), np.uint8)
     found[made.rows] = features(made.indices, points, eye, external, facing=facing)
 
@@ -85,6 +86,8 @@ def oracle(whole, camera, angles=ANGLES):
     product = (units[0] * units[1]).sum(axis=1)
     for angle in external:
         band |= np.abs(product + np.cos(angle)) <= BAND
+    if external[0] > np.pi:  # flat edges, of which equation 1 has no ridges
+        band |= product >= np.cos(GRAIN) - BAND
     unsure = np.zeros(len(whole.edges), bool)
     unsure[made.rows] = band & (v3 != v0) & (v3 != v1)
     return found, unsure

@@ -81,10 +81,9 @@ def features(
     """(E,) bits of equation 1 for edges (E, 4) of positions (V, 3), in object space.
 
     eye: (4,) homogeneous, a direction towards the viewer where w = 0. angles: those that a
-    ridge's internal and a valley's external angle is less than, radians (a valley at 240 degrees in
-    Raskar's words is one at 120 here). facing: +1
-    where counter-clockwise triangles are front faces, else -1. In open components a fold is what
-    it is from the side that is seen.
+    ridge's internal and a valley's external angle is less than, radians
+    (`glshim.model.dihedral.crease_limits`). facing: +1 where counter-clockwise triangles are front
+    faces, else -1. In open components a fold is what it is from the side that is seen.
     """
     where = np.asarray(positions, np.float64)
     source = np.asarray(eye, np.float64)

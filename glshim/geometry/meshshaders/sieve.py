@@ -96,7 +96,7 @@ class EdgeSieve:
         self, eye: NDArray[np.floating], wanted: int, angles: tuple[float, float]
     ) -> Ints:
         """The rows of the edge mesh that may have one of the wanted bits of `features`, seen from
-        eye (4,) homogeneous, in rising order. angles of ridges and valleys in radians."""
+        eye (4,) homogeneous, in rising order. angles: as of `features`."""
         found = self._fixed(wanted, angles)
         if wanted & CONTOUR:
             facing = self.facing.seen(eye)
