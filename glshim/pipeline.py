@@ -1,4 +1,10 @@
-"""The composition root: app call -> capture -> assembly -> styler -> render -> frame."""
+"""The composition root, read from top to bottom:
+
+    program -> bindings -> sources -> layer -> styler -> linework -> outputs
+
+A binding hears the program's calls, the follower turns them into layers of polygons, the styler
+says what to draw of a layer, and the output finds its lines and draws them.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +14,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from glshim import toolkits
-from glshim.bindings.pyopengl.clibraries import C_LIBRARIES
-from glshim.bindings.pyopengl.raw import RAW
-from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.bindings.pyopengl.watch import WATCH
+from glshim.bindings.base import Binding
+from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.errors import RenderError
 from glshim.model.batch import Wanted
 from glshim.notices import say_fault
@@ -19,23 +23,18 @@ from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.gl.frame.sheet import SHEET
-from glshim.sources.fixed.state import light
-from glshim.sources.follower import Follower
-from glshim.sources.scene import Scene, say_unstyled
+from glshim.sources.fixed.lights import light
+from glshim.sources.following.follower import Follower
+from glshim.sources.following.layers import FinishedLayer
+from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.spec.ask import integer
+from glshim.spec.constants import GL_DOUBLEBUFFER
 from glshim.spec.driver import current_context
 from glshim.styling.protocol import BackFaces, Layer, Lines, Pass, Styler
 from glshim.toolkits import Part, frames
 
-_DOUBLE_BUFFER = 0x0C32
-
-
-def _asked() -> bool:
-    return bool(integer(_DOUBLE_BUFFER))
-
-
-is_double_buffered: Callable[[], bool] = _asked
-"""Whether the window that is drawn to is; a shot draws elsewhere and knows."""
+BINDING: Binding = PYOPENGL
+"""How the program speaks OpenGL."""
 
 
 @dataclass(slots=True)
@@ -49,7 +48,8 @@ class Counted:
 
 
 class Pipeline:
-    """Follows the app's draws and adds a styler's at the end of each layer.
+    """From the program's calls to what a styler adds at the end of each layer: a
+    `glshim.sources.following.follower.LayerSink`.
 
     Following outlives a style: display lists and buffers that were made under one, or under none,
     are known to the next.
@@ -64,76 +64,35 @@ class Pipeline:
         self.counted = Counted()
         """The frame so far; whole when the listeners of later stages are called."""
         self._cover = Cover()
-        self._follower = Follower(self)
+        self._follower = Follower(BINDING.stream, self)
         self._broken = False
         self._listener: frames.Listener | None = None
         self._next: tuple[Styler | None] | None = None
 
-    # -- life ------------------------------------------------------------------------------------
-
-    @property
-    def broken(self) -> bool:
-        """Following has ended, by a fault."""
-        return self._broken
+    # -- program, bindings, sources --------------------------------------------------------------
 
     def start(self) -> None:
-        """Follow from now on."""
-        WATCH.attach(self._follower)
-        C_LIBRARIES.attach(self._follower)
+        """Follow the program from now on."""
+        BINDING.attach(self._follower)
         self._listener = frames.listen(
             frames.Stage.DRAW, before=self._follower.finish_frame, after=self._frame_over
         )
         toolkits.watch(Part.FRAMES)
 
-    def wear(self, styler: Styler | None) -> None:
+    def use_style(self, styler: Styler | None) -> None:
         """Draw in this style from now on; what is pending is dropped."""
         self._next = None
         if styler is not None and not styler.wants_polygons:
             styler = None
         self.styler = styler
         self._cover.set_surface(styler.surface if styler is not None else "app")
-        self._follower.restyle(
-            Wanted(
-                colours=styler.wants_colours, normals=styler.wants_normals,
-                lights=styler.wants_lights,
-            )
-            if styler is not None else None
-        )
+        self._follower.restyle(_wanted(styler) if styler is not None else None)
 
-    def wear_next(self, styler: Styler | None) -> None:
+    def use_style_next(self, styler: Styler | None) -> None:
         """From the next frame on. Calls no GL: any thread may say so at any time."""
         self._next = (styler,)
 
-    def _frame_over(self) -> None:
-        """A frame was presented."""
-        self.counted = Counted()
-        if self._next is not None:
-            self.wear(*self._next)
-
-    def stop(self) -> None:
-        """Follow no more; what is pending is dropped."""
-        if self._listener is not None:
-            self._listener.stop()
-        C_LIBRARIES.detach()
-        WATCH.detach()
-        self._cover.uncover()
-
-    def release(self) -> None:
-        """Give back what the current context holds for this style alone."""
-        self._cover.release()
-
-    def give_up(self, error: BaseException) -> None:
-        """A fault in the shim or in a styler: said once with its traceback, styling ends."""
-        if not self._broken:
-            self._broken = True
-            say_fault(f"style {self._name!r} is switched off, the program runs on", error)
-            self.stop()
-
-    @property
-    def _name(self) -> str:
-        return self.styler.name if self.styler is not None else "none"
-
-    # -- flow: what the follower hands on --------------------------------------------------------
+    # -- layer, styler, outputs: what the follower hands on --------------------------------------
 
     def cover(self) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
@@ -143,34 +102,30 @@ class Pipeline:
         """After it."""
         self._cover.uncover()
 
-    def context_renewed(self) -> None:
-        """A context that is gone left its address to a new one."""
-        self._cover.forget()
-
-    def layer_ends(self, scene: Scene) -> None:
-        """A layer's depth is final: the styler says what to add, the backend adds it."""
-        over, fresh, lighting = scene.layer.over, scene.layer.fresh, scene.layer.lighting
-        items = scene.layer.take()
-        if not items or self.styler is None:
+    def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
+        """A layer's depth is final: the styler says what to add, the output adds it."""
+        if self.styler is None:
             return
-        layer = Layer(items, light(), over, fresh, time.monotonic(), lighting, SHEET.scale)
+        layer = Layer(
+            finished.items, light(), finished.over, finished.fresh, time.monotonic(),
+            finished.lighting, SHEET.scale,
+        )  # fmt: skip
         try:
-            self._add(self.styler, layer, scene)
+            self._put_out(list(self.styler.draws(layer)), layer, scene)
         except Exception as error:
             if not self.live:
                 raise
             say_fault(f"style {self._name!r} fails and is switched off: {error!r}", error)
-            self.wear(None)
+            self.use_style(None)
 
-    def _add(self, styler: Styler, layer: Layer, scene: Scene) -> None:
-        draws = list(styler.draws(layer))
+    def _put_out(
+        self, draws: list[Lines | Pass | BackFaces], layer: Layer, scene: Scene
+    ) -> None:
         self.counted.polygons += sum(batch.polygon_count for batch, _ in layer.items)
         self.counted.draws += sum(map(_count, draws))
-        if not draws:
-            return
+        fixed = [draw for draw in draws if isinstance(draw, BackFaces)]
+        others = [draw for draw in draws if not isinstance(draw, BackFaces)]
         try:
-            fixed = [draw for draw in draws if isinstance(draw, BackFaces)]
-            others = [draw for draw in draws if not isinstance(draw, BackFaces)]
             if fixed:
                 scene.mark()
                 _FIXED.render(fixed)
@@ -180,11 +135,55 @@ class Pipeline:
             scene.unpainted = str(error)
             say_unstyled(str(error))
 
-    def flush(self, call: Callable[[], Any], scene: Scene | None) -> Any:
+    def flush(self, call: Callable[[], Any]) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        if scene is None or scene.refused or scene.unpainted or is_double_buffered():
-            return call()
-        return frames.present(call)
+        return call() if _is_double_buffered() else frames.present(call)
+
+    def _frame_over(self) -> None:
+        """A frame was presented."""
+        self.counted = Counted()
+        if self._next is not None:
+            self.use_style(*self._next)
+
+    # -- its end ---------------------------------------------------------------------------------
+
+    @property
+    def broken(self) -> bool:
+        """Following has ended, by a fault."""
+        return self._broken
+
+    def context_renewed(self) -> None:
+        """A context that is gone left its address to a new one."""
+        self._cover.forget()
+
+    def give_up(self, error: BaseException) -> None:
+        """A fault in the shim or in a styler: said once with its traceback, styling ends."""
+        if not self._broken:
+            self._broken = True
+            say_fault(f"style {self._name!r} is switched off, the program runs on", error)
+            self.stop()
+
+    def stop(self) -> None:
+        """Follow no more; what is pending is dropped."""
+        if self._listener is not None:
+            self._listener.stop()
+        BINDING.detach()
+        self._cover.uncover()
+
+    def release(self) -> None:
+        """Give back what the current context holds for this style alone."""
+        self._cover.release()
+
+    @property
+    def _name(self) -> str:
+        return self.styler.name if self.styler is not None else "none"
+
+
+def _wanted(styler: Styler) -> Wanted:
+    """What its polygons shall come with."""
+    return Wanted(
+        colours=styler.wants_colours, normals=styler.wants_normals, lights=styler.wants_lights
+    )
 
 
 def _count(draw: Lines | Pass | BackFaces) -> int:
@@ -192,6 +191,18 @@ def _count(draw: Lines | Pass | BackFaces) -> int:
     return 1 if isinstance(draw, Pass) else sum(len(body.batches) for body in draw.bodies)
 
 
+def _is_double_buffered() -> bool:
+    """Whether the window that is drawn to is."""
+    return bool(integer(GL_DOUBLEBUFFER)) if _told_double is None else _told_double
+
+
+def tell_double_buffered(double: bool) -> None:
+    """Whether the window is, in the driver's place: a shot draws elsewhere, and knows."""
+    global _told_double
+    _told_double = double
+
+
+_told_double: bool | None = None
 _FIXED = FixedPen()
 _current: Pipeline | None = None
 _backends: dict[int, tuple[Scene, Backend]] = {}
@@ -224,17 +235,15 @@ def install(style: str | Styler, *, live: bool = False) -> None:
         from glshim.styling.texts import parse_style
 
         style = parse_style(style)
-    if not RAW.installed:
-        RAW.install()
-        RECORDER.install()
-        WATCH.install()
+    if not BINDING.installed:
+        BINDING.install()
     if _current is None or _current.broken:
         if not style.wants_polygons and not live:
             return
         _current = Pipeline()
         _current.start()
     _current.live = _current.live or live
-    _current.wear(style)
+    _current.use_style(style)
 
 
 def switch(styler: Styler | None) -> None:
@@ -245,7 +254,7 @@ def switch(styler: Styler | None) -> None:
     or after a fault that ended the following, nothing happens.
     """
     if _current is not None:
-        _current.wear_next(styler)
+        _current.use_style_next(styler)
 
 
 def current() -> Styler | None:
@@ -271,8 +280,6 @@ def uninstall() -> None:
         _current.stop()
         _current.release()
         _current = None
-    if RAW.installed:
-        WATCH.uninstall()
-        RECORDER.uninstall()
-        RAW.uninstall()
+    if BINDING.installed:
+        BINDING.uninstall()
     toolkits.release()

@@ -58,3 +58,17 @@ def of_buffer(target: int, name: int) -> int:
     value = ctypes.c_int(0)
     gl.glGetBufferParameteriv(target, name, ctypes.byref(value))
     return value.value
+
+
+def of_material(face: int, name: int) -> tuple[float, ...]:
+    """Four floats of the material of a face."""
+    values = (ctypes.c_float * 4)()
+    gl.glGetMaterialfv(face, name, values)
+    return tuple(values)
+
+
+def of_light(light: int, name: int) -> tuple[float, float, float, float]:
+    """Four floats of a light; what has fewer is followed by zeros."""
+    values = (ctypes.c_float * 4)()
+    gl.glGetLightfv(light, name, values)
+    return values[0], values[1], values[2], values[3]

@@ -195,7 +195,7 @@ def test_a_file_is_short_enough_to_read(path: Path) -> None:
 
 def test_the_reader_of_imports_sees_every_form() -> None:
     path = ROOT / "glshim" / "pipeline.py"
-    assert "glshim.sources.follower.Follower" in set(imports(path))
+    assert "glshim.sources.following.follower.Follower" in set(imports(path))
     assert "glshim.styling.texts.parse_style" in set(imports(path))  # inside a function
 
 

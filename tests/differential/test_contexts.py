@@ -63,7 +63,7 @@ def test_contexts_made_and_destroyed_again_and_again() -> None:
 
 def test_a_new_context_at_the_old_address(monkeypatch: pytest.MonkeyPatch) -> None:
     """Context handles are addresses, which the next context may get."""
-    from glshim.sources import scene
+    from glshim.sources.following import scene
 
     monkeypatch.setattr(scene, "current_context", lambda: 4711 if current_context() else 0)
 

@@ -20,7 +20,7 @@ STATE_SCENES = "array_draws-client or everything_under or lists or element_buffe
 
 
 BARE = """
-from glshim.sources import scene
+from glshim.sources.following import scene
 from glshim.outputs.gl.device import guard
 from glshim.outputs.gl.frame import laying
 from glshim.spec.driver import gl

@@ -351,7 +351,7 @@ def test_an_app_is_restyled_and_sees_nothing_of_it():
 @pytest.mark.parametrize("variables", [{}, LEGACY], ids=["modern", "2.1"])
 def test_no_shader_no_framebuffer_object_and_no_buffer_object(variables):
     # The mark by which glshim knows a context again is a name of one of these, in any style.
-    text = "from glshim.sources import scene\nscene.Scene.mark = lambda self: None\n"
+    text = "from glshim.sources.following import scene\nscene.Scene.mark = lambda self: None\n"
     done = child("-c", f"{text}FORBIDDEN = True\n{BARE}", **variables)
     assert done.returncode == 0, done.stderr
     assert "glshim:" not in done.stderr

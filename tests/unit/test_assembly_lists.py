@@ -7,16 +7,15 @@ import pytest
 
 from glshim.sources.fixed.immediate import assemble
 from glshim.sources.fixed.lists import (
-    Bare,
-    Call,
     Change,
     Closing,
     ListBook,
     ListPolygons,
+    LooseVertices,
     Opening,
-    Primitive,
 )
 from glshim.sources.fixed.matrices import matrix_of
+from glshim.sources.source import Call, Primitive
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.matrices import MATRIX_CALLS
 
@@ -146,7 +145,7 @@ def test_batches_and_shapes_take_their_places() -> None:
 
 
 def test_lists_that_begin_or_end_primitives_of_others() -> None:
-    made = book(l1=[Opening(7, SQUARE.stream)], l2=[Bare(SQUARE.stream), Closing()],
+    made = book(l1=[Opening(7, SQUARE.stream)], l2=[LooseVertices(SQUARE.stream), Closing()],
                 l3=[Call((1, 2))], l4=[Call((2, 1))])  # fmt: skip
     assert [made.leaves_open(n) for n in (1, 2, 3, 4, 5)] == [True, False, False, True, False]
     assert called(made, 3).relative is None

@@ -18,19 +18,20 @@ from glshim.geometry.recovery.meshes import Meshes
 from glshim.model.batch import PolygonBatch, Wanted
 from glshim.sources.fixed import immediate, normals
 from glshim.sources.fixed.immediate import (
-    POLYGON,
     POLYGON_MODES,
-    QUADS,
-    TRIANGLE_STRIP,
-    TRIANGLES,
     concatenate,
     reversed_winding,
     scaled,
     transformed,
 )
-from glshim.sources.fixed.lists import Bare, Call, Change, ListBook, Primitive
-from glshim.sources.layers import ContentCache
+from glshim.sources.fixed.lists import Change, ListBook, LooseVertices
+from glshim.sources.following.layers import ContentCache
+from glshim.sources.source import Call, Primitive
 from glshim.spec.attributes import BY_NAME
+from glshim.spec.constants import GL_POLYGON as POLYGON
+from glshim.spec.constants import GL_QUADS as QUADS
+from glshim.spec.constants import GL_TRIANGLE_STRIP as TRIANGLE_STRIP
+from glshim.spec.constants import GL_TRIANGLES as TRIANGLES
 from tests import look
 from tests.look import batch
 
@@ -91,7 +92,7 @@ def test_nobody_pays_who_did_not_ask(monkeypatch):
     book = ListBook()
     book.begin(1)
     book.open.items.extend(Primitive(*stream) for stream in streams)
-    book.open.items += [Change("glTranslatef", (1, 0, 0)), Bare(said("glNormal3f", *UP))]
+    book.open.items += [Change("glTranslatef", (1, 0, 0)), LooseVertices(said("glNormal3f", *UP))]
     book.end()
     found = book.polygons(1, 0x1700, lambda shape: None, 1).relative
     assert found.normals is None
@@ -165,7 +166,7 @@ def test_lists_follow_the_normal_as_the_driver_does(inner, outer):
                 yield Primitive(how[0], reference.stream(how[1]))
             elif what == "say":
                 reference.normal = how[0]
-                yield Bare(said("glNormal3f", *how[0]))
+                yield LooseVertices(said("glNormal3f", *how[0]))
             elif what == "push":
                 stack.append(reference.normal if how[0] else None)
                 yield Change("glPushAttrib", (1 if how[0] else 2,))

@@ -12,9 +12,10 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.meshes import Meshes
 from glshim.model.batch import Wanted
 from glshim.sources.fixed import immediate
-from glshim.sources.fixed.immediate import QUADS, reversed_winding, scaled
-from glshim.sources.fixed.state import colour
+from glshim.sources.fixed.current import colour
+from glshim.sources.fixed.immediate import reversed_winding, scaled
 from glshim.spec.attributes import BY_NAME, decode
+from glshim.spec.constants import GL_QUADS as QUADS
 from tests import look
 
 assemble = partial(immediate.assemble, wanted=Wanted(colours=True))

@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Hashable
 from types import ModuleType
-from typing import Any, Protocol
+from typing import Any
 
+from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
@@ -28,27 +29,17 @@ from glshim.spec.shapes import (
 _SETTINGS = frozenset((ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION))
 
 
-class ShapeWatcher(Protocol):
-    """Who wants to know about shapes drawn in C."""
-
-    def before_shape(self, name: str) -> None:
-        """Before the library draws."""
-
-    def after_shape(self, shape: Shape | None) -> None:
-        """After it drew a shape, or (None) no polygons."""
-
-
 class CLibraries:
     """The hooks on GLU, GLUT and GLE. One instance: :data:`C_LIBRARIES`."""
 
     def __init__(self) -> None:
-        self._watcher: ShapeWatcher | None = None
+        self._watcher: ShapeSink | None = None
         self._hooked: list[Any] = []
         self._settings: dict[int, dict[ShapeRole, int]] = {}
         """By quadric."""
         self._surface: list[tuple[Callable[..., Any], tuple[Any, ...]]] = []
 
-    def attach(self, watcher: ShapeWatcher) -> None:
+    def attach(self, watcher: ShapeSink) -> None:
         """Tell a watcher about every shape, in libraries imported already or later."""
         self._watcher = watcher
         for module in sorted({home for home, _, _ in ROWS}):
@@ -83,7 +74,7 @@ class CLibraries:
             watcher = self._watcher
             if watcher is None:
                 return call(*args)
-            RECORDER.spill()
+            RECORDER.record.spill()
             watcher.before_shape(name)
             result = call(*args)
             try:

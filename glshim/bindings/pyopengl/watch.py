@@ -7,11 +7,12 @@ rest. The watcher's faults never reach the app.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
+from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
-from glshim.bindings.pyopengl.recorder import RECORDER, PrimitiveSink
+from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.spec.roles import (
     IN_LISTS,
     INSIDE,
@@ -22,30 +23,9 @@ from glshim.spec.roles import (
     role_of,
 )
 
+_RECORD = RECORDER.record
 _SPILLING = INSIDE | LIST_BRACKETS | LIST_CALLS
 """Roles that what is recorded must not fall behind."""
-
-
-class Watcher(PrimitiveSink, Protocol):
-    """Who wants to know about draws."""
-
-    def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
-        """Before PyOpenGL's raw call, outside primitives."""
-
-    def after(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
-        """After it, also when PyOpenGL found a GL error, which may be an older one."""
-
-    def refused(self) -> None:
-        """Instead of :meth:`after`: PyOpenGL refused the arguments, nothing was called."""
-
-    def inside(
-        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[[], Any]
-    ) -> None:
-        """After any watched call inside a primitive, and one of INSIDE anywhere in an open list;
-        ``call`` would say it again."""
-
-    def flush(self, call: Callable[[], Any]) -> Any:
-        """In place of glFlush or glFinish, which ``call`` makes."""
 
 
 class Watch:
@@ -67,7 +47,7 @@ class Watch:
     def attach(self, watcher: Watcher) -> None:
         """Tell a watcher about every draw from now on."""
         RAW.unhook_matching(self._own)  # some of its names are the watcher's now
-        self._watcher = RECORDER.sink = watcher
+        self._watcher = _RECORD.sink = watcher
         RAW.hook_matching(self._watching)
         RAW.hook_matching(self._own)
 
@@ -77,7 +57,7 @@ class Watch:
             self._follow_lists(False)
             RAW.unhook_matching(self._watching)
             RAW.unhook_matching(self._own)
-            self._watcher = RECORDER.sink = None
+            self._watcher = _RECORD.sink = None
             RAW.hook_matching(self._own)
 
     # -- makers, one per name, made when the name is first called -------------------------------
@@ -112,19 +92,19 @@ class Watch:
         attribute = role in INSIDE
 
         def maker(real: Call) -> Call:
-            inside = RECORDER.inside
+            inside = _RECORD.inside
 
             def hook(*args: Any) -> Any:
-                if closes and RECORDER.list_open:
-                    RECORDER.close_list()
+                if closes and _RECORD.list_open:
+                    _RECORD.close_list()
                 # In a list an attribute may belong to the primitive that calls it, or the next.
-                if inside() or (attribute and RECORDER.list_open):
+                if inside() or (attribute and _RECORD.list_open):
                     return self._inside(role, name, args, real)
                 try:
                     return real(*args)
                 finally:
-                    if opens and not RECORDER.list_open and forward.list_open():
-                        RECORDER.open_list(False)
+                    if opens and not _RECORD.list_open and forward.list_open():
+                        _RECORD.open_list(capturing=False)
 
             return hook
 
@@ -134,15 +114,15 @@ class Watch:
         """A call inside a primitive: what was recorded goes first, the rest straight through."""
         from OpenGL.error import GLError
 
-        RECORDER.spill()
+        _RECORD.spill()
         try:
             result = real(*args)
         except GLError:
             if self._watcher is not None:
-                self._watcher.inside(role, name, args, lambda: real(*args))
+                self._watcher.inside(role, name, args, real)
             raise
         if self._watcher is not None:
-            self._watcher.inside(role, name, args, lambda: real(*args))
+            self._watcher.inside(role, name, args, real)
         return result
 
     def _telling(self, name: str, role: Role) -> Maker:
@@ -152,7 +132,7 @@ class Watch:
         def maker(real: Call) -> Call:
             from OpenGL.error import GLError  # not before the app has set its flags
 
-            inside = RECORDER.inside
+            inside = _RECORD.inside
 
             def hook(*args: Any) -> Any:
                 watcher = self._watcher
@@ -164,12 +144,12 @@ class Watch:
                 try:
                     result = real(*args)
                 except GLError:
-                    watcher.after(role, name, args)
+                    watcher.after(role, name, args, real)
                     raise
                 except BaseException:
                     watcher.refused()
                     raise
-                watcher.after(role, name, args)
+                watcher.after(role, name, args, real)
                 return result
 
             return hook
@@ -181,16 +161,16 @@ class Watch:
             def hook(*args: Any) -> Any:
                 watcher = self._watcher
                 if role is Role.LIST_CLOSE:
-                    if RECORDER.list_open:
-                        RECORDER.close_list()
+                    if _RECORD.list_open:
+                        _RECORD.close_list()
                         self._follow_lists(False)
                         if watcher is not None:
                             watcher.before(role, name, args)
                     else:
-                        RECORDER.spill()
+                        _RECORD.spill()
                     return real(*args)
-                closed = not RECORDER.list_open and not RECORDER.inside()
-                RECORDER.spill()
+                closed = not _RECORD.list_open and not _RECORD.inside()
+                _RECORD.spill()
                 if closed and watcher is not None:
                     watcher.before(role, name, args)
                 try:
@@ -198,9 +178,9 @@ class Watch:
                 finally:
                     if closed and forward.list_open():
                         if watcher is not None:
-                            watcher.after(role, name, args)
+                            watcher.after(role, name, args, real)
                         self._follow_lists(True)
-                        RECORDER.open_list(watcher is not None)
+                        _RECORD.open_list(capturing=watcher is not None)
 
             return hook
 
@@ -215,7 +195,7 @@ class Watch:
     def _flushing(self, real: Call) -> Call:
         def hook(*args: Any) -> Any:
             watcher = self._watcher
-            if watcher is None or args or RECORDER.inside() or RECORDER.list_open:
+            if watcher is None or args or _RECORD.inside() or _RECORD.list_open:
                 return real(*args)
             return watcher.flush(real)
 

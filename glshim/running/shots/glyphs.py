@@ -103,7 +103,7 @@ class Glyphs:
         mapping = self._mapping()
         if mapping is None or not isinstance(code, int) or not possible():
             return self._character(font, code)
-        RECORDER.spill()
+        RECORDER.record.spill()
         key = ctypes.cast(font, ctypes.c_void_p).value or 0, code
         if key not in self._known:
             self._known[key] = self._look(font, code)

@@ -164,7 +164,7 @@ class Shot:
     def _enlarge(self) -> None:
         """From the next frame on tiles are drawn."""
         pipeline.revise(lambda styler: enlarged(styler, self.mapping.scale))
-        pipeline.is_double_buffered = lambda: self.double
+        pipeline.tell_double_buffered(self.double)
         SHEET.scale = self.mapping.scale
         SHEET.bounds = self.target.size
         self._next()

@@ -11,12 +11,21 @@ from numpy.typing import NDArray
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, normals_of, regions_of
 from glshim.sources.fixed import normals
 from glshim.spec.attributes import COLOR, EDGE_FLAG, KIND, NORMAL, SIZE, VERTEX, decode
+from glshim.spec.constants import (
+    GL_POLYGON,
+    GL_QUAD_STRIP,
+    GL_QUADS,
+    GL_TRIANGLE_FAN,
+    GL_TRIANGLE_STRIP,
+    GL_TRIANGLES,
+)
 
-TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN, QUADS, QUAD_STRIP, POLYGON = range(4, 10)
-POLYGON_MODES = frozenset(range(4, 10))
+POLYGON_MODES = frozenset(
+    (GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS, GL_QUAD_STRIP, GL_POLYGON)
+)
 """glBegin modes that make polygons; points and lines carry no lines of ours."""
 
-_FLAGGED = frozenset((TRIANGLES, QUADS, POLYGON))
+_FLAGGED = frozenset((GL_TRIANGLES, GL_QUADS, GL_POLYGON))
 """Modes whose edges glEdgeFlag hides; strips and fans ignore it."""
 
 
@@ -72,26 +81,26 @@ def polygon_corners(mode: int, count: int) -> tuple[NDArray[np.int32], NDArray[n
     strip is turned round).
     """
     index = np.arange(count, dtype=np.int32)
-    if mode == POLYGON:
+    if mode == GL_POLYGON:
         sides = max(count, 1)
         corners = index.reshape(1, -1) if count >= 3 else np.empty((0, 3), np.int32)
         sides = corners.shape[1]
-    elif mode == TRIANGLES:
+    elif mode == GL_TRIANGLES:
         corners, sides = index[: count // 3 * 3].reshape(-1, 3), 3
-    elif mode == QUADS:
+    elif mode == GL_QUADS:
         corners, sides = index[: count // 4 * 4].reshape(-1, 4), 4
-    elif mode == TRIANGLE_STRIP:
+    elif mode == GL_TRIANGLE_STRIP:
         corners = np.stack([index[:-2], index[1:-1], index[2:]], 1) if count >= 3 else _none(3)
         corners[1::2] = corners[1::2, [1, 0, 2]]
         sides = 3
-    elif mode == TRIANGLE_FAN:
+    elif mode == GL_TRIANGLE_FAN:
         corners = (
             np.stack([np.zeros(count - 2, np.int32), index[1:-1], index[2:]], 1)
             if count >= 3
             else _none(3)
         )
         sides = 3
-    elif mode == QUAD_STRIP:
+    elif mode == GL_QUAD_STRIP:
         even = index[: count // 2 * 2].reshape(-1, 2)
         corners = (
             np.stack([even[:-1, 0], even[:-1, 1], even[1:, 1], even[1:, 0]], 1)
@@ -160,7 +169,7 @@ def _assemble_alike(mode: int, streams: list[bytes], wanted: Wanted) -> PolygonB
     counts = (kinds == VERTEX).sum(axis=1)
     count = int(counts[0])
     positions, flags = vertices(joined)
-    sides = {TRIANGLES: 3, QUADS: 4}.get(mode, count)
+    sides = {GL_TRIANGLES: 3, GL_QUADS: 4}.get(mode, count)
     uneven = (counts != count).any() or count < 3 or flags is not None
     if uneven or (wanted.normals and not _all_begin_with(NORMAL, kinds)):
         return concatenate([assemble(mode, stream, wanted=wanted) for stream in streams])

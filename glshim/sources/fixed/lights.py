@@ -2,40 +2,50 @@
 
 from __future__ import annotations
 
-import ctypes
+from functools import partial
 
-from glshim.model.lights import Light, Lighting, Shade
-from glshim.spec.driver import gl
+from glshim.model.lights import Light, Lighting
+from glshim.spec.ask import is_enabled, of_light, reals
+from glshim.spec.constants import (
+    GL_AMBIENT,
+    GL_CONSTANT_ATTENUATION,
+    GL_DIFFUSE,
+    GL_LIGHT0,
+    GL_LIGHT_MODEL_AMBIENT,
+    GL_LINEAR_ATTENUATION,
+    GL_POSITION,
+    GL_QUADRATIC_ATTENUATION,
+    GL_SPECULAR,
+    GL_SPOT_CUTOFF,
+    GL_SPOT_DIRECTION,
+    GL_SPOT_EXPONENT,
+)
 
-_FIRST, _LEAST = 0x4000, 8
-"""GL_LIGHT0, and the lights that every driver has; few apps use one beyond them."""
-_AMBIENT, _DIFFUSE, _SPECULAR, _POSITION = 0x1200, 0x1201, 0x1202, 0x1203
-_SPOT_DIRECTION, _SPOT_EXPONENT, _SPOT_CUTOFF, _ATTENUATION = 0x1204, 0x1205, 0x1206, 0x1207
-_MODEL_AMBIENT = 0x0B53
+_LEAST = 8
+"""The lights that every driver has; few apps use one beyond them."""
+
+
+def light() -> tuple[float, float, float, float]:
+    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0. It stays
+    there when lighting is off."""
+    return of_light(GL_LIGHT0, GL_POSITION)
 
 
 def lighting() -> Lighting:
     """The lights that are on, as the driver holds them now: positions and directions in eye space.
     Outside glBegin/glEnd."""
-    numbers = [_FIRST + k for k in range(_LEAST) if gl.glIsEnabled(_FIRST + k)]
-    values = (ctypes.c_float * 4)()
-    gl.glGetFloatv(_MODEL_AMBIENT, ctypes.addressof(values))
-    return Lighting(tuple(map(_light, numbers)), (values[0], values[1], values[2]))
+    numbers = [GL_LIGHT0 + k for k in range(_LEAST) if is_enabled(GL_LIGHT0 + k)]
+    red, green, blue, _ = reals(GL_LIGHT_MODEL_AMBIENT, 4)
+    return Lighting(tuple(map(_light, numbers)), (red, green, blue))
 
 
 def _light(number: int) -> Light:
-    values = (ctypes.c_float * 4)()
-
-    def ask(name: int) -> tuple[float, float, float, float]:
-        gl.glGetLightfv(number, name, ctypes.addressof(values))
-        return values[0], values[1], values[2], values[3]
-
-    def shade(name: int) -> Shade:
-        return ask(name)[:3]
-
-    constant, linear, quadratic = (ask(_ATTENUATION + k)[0] for k in range(3))
+    ask = partial(of_light, number)
     return Light(
-        ask(_POSITION), shade(_AMBIENT), shade(_DIFFUSE), shade(_SPECULAR),
-        (constant, linear, quadratic), shade(_SPOT_DIRECTION), ask(_SPOT_CUTOFF)[0],
-        ask(_SPOT_EXPONENT)[0],
+        ask(GL_POSITION), ask(GL_AMBIENT)[:3], ask(GL_DIFFUSE)[:3], ask(GL_SPECULAR)[:3],
+        (
+            ask(GL_CONSTANT_ATTENUATION)[0], ask(GL_LINEAR_ATTENUATION)[0],
+            ask(GL_QUADRATIC_ATTENUATION)[0],
+        ),
+        ask(GL_SPOT_DIRECTION)[:3], ask(GL_SPOT_CUTOFF)[0], ask(GL_SPOT_EXPONENT)[0],
     )  # fmt: skip

@@ -22,6 +22,7 @@ from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, concatenate, transformed
 from glshim.sources.fixed.matrices import matrix_of
 from glshim.sources.fixed.pointers import address_of, numbers_at
+from glshim.sources.source import Call, Primitive
 from glshim.spec.constants import (
     GL_BYTE,
     GL_CURRENT_BIT,
@@ -48,21 +49,6 @@ _ID_TYPES = {
 
 
 @dataclass(frozen=True, slots=True)
-class Primitive:
-    """A recorded glBegin/glEnd pair."""
-
-    mode: int
-    stream: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Call:
-    """Lists called from a list."""
-
-    names: tuple[int, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Change:
     """A matrix call or a switch, by its name and arguments."""
 
@@ -79,7 +65,7 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
-class Bare:
+class LooseVertices:
     """Said outside any glBegin of this list: attributes, which hold on, and vertices, which are
     legal when it is called inside one."""
 
@@ -99,7 +85,7 @@ class Closing:
     """glEnd of a primitive that the list did not begin."""
 
 
-Item = Primitive | Call | Change | Shape | Bare | Opening | Closing | PolygonBatch
+Item = Primitive | Call | Change | Shape | LooseVertices | Opening | Closing | PolygonBatch
 ShapePolygons = Callable[[Shape], PolygonBatch | None]
 """Polygons of a shape, found again by key or drawn in feedback mode."""
 
@@ -179,7 +165,7 @@ class ListBook:
         """What the list says, nested lists included."""
         program = self._programs.get(name)
         if program is None:  # perhaps one that we did not see: it may set the normal
-            yield Bare(normals.UNKNOWN)
+            yield LooseVertices(normals.UNKNOWN)
             return
         if depth > _NESTING:
             return
@@ -265,7 +251,7 @@ class _Walk:
             self._emit()
             if isinstance(item, PolygonBatch):
                 self._draw(item)
-            elif isinstance(item, (Bare, Opening)):
+            elif isinstance(item, (LooseVertices, Opening)):
                 self._say(item.stream)
             elif isinstance(item, Change):
                 self._change(item)

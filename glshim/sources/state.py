@@ -1,7 +1,8 @@
 """What the driver says about a draw, read when the draw begins.
 
 Nothing is shadowed: C libraries change matrices and switches unseen. All of it is read into one
-buffer, whose bytes are the key under which the decoded state is found again.
+buffer, whose bytes are the key under which the decoded state is found again. The buffers of these
+questions are prepared: they are asked at every draw.
 """
 
 from __future__ import annotations
@@ -16,44 +17,71 @@ from typing import Any
 import numpy as np
 
 from glshim.model.camera import Camera
-from glshim.spec.attributes import BY_NAME
-from glshim.spec.context import shortcoming
-from glshim.spec.driver import current_context, gl, quick
+from glshim.spec.constants import (
+    GL_CCW,
+    GL_CLIP_PLANE0,
+    GL_COLOR_WRITEMASK,
+    GL_CURRENT_PROGRAM,
+    GL_DEPTH_FUNC,
+    GL_DEPTH_RANGE,
+    GL_DEPTH_TEST,
+    GL_DEPTH_WRITEMASK,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_EQUAL,
+    GL_FILL,
+    GL_FRONT,
+    GL_FRONT_FACE,
+    GL_LEQUAL,
+    GL_LESS,
+    GL_LIGHTING,
+    GL_MODELVIEW_MATRIX,
+    GL_POLYGON_MODE,
+    GL_PROJECTION_MATRIX,
+    GL_RENDER,
+    GL_RENDER_MODE,
+    GL_SCISSOR_BOX,
+    GL_SCISSOR_TEST,
+    GL_SPECULAR,
+    GL_STENCIL_FUNC,
+    GL_STENCIL_REF,
+    GL_STENCIL_TEST,
+    GL_STENCIL_VALUE_MASK,
+    GL_TEXTURE_2D,
+    GL_VIEWPORT,
+)
+from glshim.spec.driver import gl, quick
 
-_FLOATS = ((0x0BA6, 16), (0x0BA7, 16), (0x0B70, 2))
+_CLIP_PLANES = 6
+"""As many as every driver has."""
+
+_FLOATS = ((GL_MODELVIEW_MATRIX, 16), (GL_PROJECTION_MATRIX, 16), (GL_DEPTH_RANGE, 2))
 _INTEGERS = (
-    ("viewport", 0x0BA2, 4),
-    ("scissor", 0x0C10, 4),
-    ("scissor_test", 0x0C11, 1),
-    ("polygon_mode", 0x0B40, 2),
-    ("color_mask", 0x0C23, 4),
-    ("front_face", 0x0B46, 1),
-    ("depth_test", 0x0B71, 1),
-    ("depth_func", 0x0B74, 1),
-    ("depth_mask", 0x0B72, 1),
-    ("render_mode", 0x0C40, 1),
-    ("program", 0x8B8D, 1),
-    ("framebuffer", 0x8CA6, 1),
-    ("stencil_test", 0x0B90, 1),
-    ("stencil", 0x0B92, 1),
-    ("stencil", 0x0B97, 1),
-    ("stencil", 0x0B93, 1),
-    ("lighting", 0x0B50, 1),
-    ("textured", 0x0DE1, 1),
-    ("specular", 0x1202, 4),  # of the front material: floats
-    *(("clip", plane, 1) for plane in range(0x3000, 0x3006)),
+    ("viewport", GL_VIEWPORT, 4),
+    ("scissor", GL_SCISSOR_BOX, 4),
+    ("scissor_test", GL_SCISSOR_TEST, 1),
+    ("polygon_mode", GL_POLYGON_MODE, 2),
+    ("color_mask", GL_COLOR_WRITEMASK, 4),
+    ("front_face", GL_FRONT_FACE, 1),
+    ("depth_test", GL_DEPTH_TEST, 1),
+    ("depth_func", GL_DEPTH_FUNC, 1),
+    ("depth_mask", GL_DEPTH_WRITEMASK, 1),
+    ("render_mode", GL_RENDER_MODE, 1),
+    ("program", GL_CURRENT_PROGRAM, 1),
+    ("framebuffer", GL_DRAW_FRAMEBUFFER_BINDING, 1),
+    ("stencil_test", GL_STENCIL_TEST, 1),
+    ("stencil", GL_STENCIL_FUNC, 1),
+    ("stencil", GL_STENCIL_REF, 1),
+    ("stencil", GL_STENCIL_VALUE_MASK, 1),
+    ("lighting", GL_LIGHTING, 1),
+    ("textured", GL_TEXTURE_2D, 1),
+    ("specular", GL_SPECULAR, 4),  # of the front material: floats
+    *(("clip", plane, 1) for plane in range(GL_CLIP_PLANE0, GL_CLIP_PLANE0 + _CLIP_PLANES)),
 )
 _MODELVIEW_BYTES = 64
 _COUNT = sum(n for _, n in _FLOATS) + sum(n for _, _, n in _INTEGERS)
 
-_CCW, _FILL, _RENDER = 0x0901, 0x1B02, 0x1C00
-_LIGHT_0, _POSITION = 0x4000, 0x1203
-_LIGHTING, _COLOR_MATERIAL, _CURRENT_COLOR = 0x0B50, 0x0B57, 0x0B00
-_FRONT, _DIFFUSE = 0x0404, 0x1201
-_CURRENT_NORMAL = 0x0B02
 _DULL = 0.05
 """A material with less of a specular colour does not gleam."""
-_LESS, _EQUAL, _LEQUAL = 0x0201, 0x0202, 0x0203
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,8 +97,12 @@ class DrawState:
     """Polygons drawn now enter the depth buffer."""
     flat: bool
     """Parallel projection."""
+    rendered: bool
+    """Drawn to a picture, not for selection or feedback."""
+    program: int
+    """Name of the app's own program that is in use; 0 for the fixed-function pipeline."""
     obstacle: str
-    """Why polygons drawn now cannot carry lines; empty when they can."""
+    """Why polygons drawn now cannot carry lines, wherever they come from; empty when they can."""
     fill_faces: bool
     """Polygons are filled."""
 
@@ -132,7 +164,7 @@ class StateReader:
                 self._stencil_calls.append(call)
             elif kind == "specular":
                 material = quick("glGetMaterialfv")
-                self._lit_calls = [partial(material, _FRONT, name, self._at(offset))]
+                self._lit_calls = [partial(material, GL_FRONT, name, self._at(offset))]
             elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
             if kind == "lighting":
@@ -160,7 +192,7 @@ class StateReader:
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
-            rest.obstacle, rest.fill_faces,
+            rest.rendered, rest.program, rest.obstacle, rest.fill_faces,
         )  # fmt: skip
 
 
@@ -188,7 +220,7 @@ def _decode_rest(key: bytes) -> DrawState:
         projection=np.array(floats[16:32], np.float64).reshape(4, 4).T,
         viewport=values["viewport"],  # type: ignore[arg-type]
         depth_range=(floats[32], floats[33]),
-        front_ccw=values["front_face"][0] == _CCW,
+        front_ccw=values["front_face"][0] == GL_CCW,
         scissor=values["scissor"] if values["scissor_test"][0] else None,  # type: ignore[arg-type]
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
@@ -197,13 +229,9 @@ def _decode_rest(key: bytes) -> DrawState:
         gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )
     func = values["depth_func"][0]
-    depth = bool(values["depth_test"][0]) and func in (_LESS, _EQUAL, _LEQUAL)
+    depth = bool(values["depth_test"][0]) and func in (GL_LESS, GL_EQUAL, GL_LEQUAL)
     obstacle = ""
-    if values["render_mode"][0] != _RENDER:
-        obstacle = "selection or feedback"
-    elif values["program"][0]:
-        obstacle = "the app's own shader program is in use"
-    elif not any(values["color_mask"]):
+    if not any(values["color_mask"]):
         obstacle = "no colour is written"
     elif values["depth_test"][0] and not depth:
         obstacle = "the depth function is not less or less-or-equal"
@@ -213,16 +241,18 @@ def _decode_rest(key: bytes) -> DrawState:
         depth_tested=depth,
         depth_written=bool(values["depth_mask"][0]),
         flat=camera.orthographic,
+        rendered=values["render_mode"][0] == GL_RENDER,
+        program=values["program"][0],
         obstacle=obstacle,
-        fill_faces=values["polygon_mode"] == (_FILL, _FILL),
+        fill_faces=values["polygon_mode"] == (GL_FILL, GL_FILL),
     )
 
 
 def _any_clip_plane_was_set() -> bool:
     """Whether some clip plane has another equation than the one it begins with, all zero."""
     equation = (ctypes.c_double * 4)()
-    for i in range(6):
-        gl.glGetClipPlane(0x3000 + i, equation)
+    for i in range(_CLIP_PLANES):
+        gl.glGetClipPlane(GL_CLIP_PLANE0 + i, equation)
         if any(equation):
             return True
     return False
@@ -234,42 +264,6 @@ def _clip_planes(enabled: tuple[int, ...]) -> tuple[tuple[float, float, float, f
     for i, on in enumerate(enabled):
         if on:
             equation = (ctypes.c_double * 4)()
-            gl.glGetClipPlane(0x3000 + i, equation)
+            gl.glGetClipPlane(GL_CLIP_PLANE0 + i, equation)
             found.append((equation[0], equation[1], equation[2], equation[3]))
     return tuple(found)
-
-
-def light() -> tuple[float, float, float, float]:
-    """Where GL_LIGHT0 is in eye space, homogeneous: a direction towards it where w = 0. It stays
-    there when lighting is off."""
-    place = (ctypes.c_float * 4)()
-    gl.glGetLightfv(_LIGHT_0, _POSITION, ctypes.addressof(place))
-    return place[0], place[1], place[2], place[3]
-
-
-def colour() -> bytes:
-    """The record of a glColor4f with the colour that vertices have until they are given another:
-    the material's where lighting knows no other. Outside glBegin/glEnd."""
-    shade = (ctypes.c_float * 4)()
-    if gl.glIsEnabled(_LIGHTING) and not gl.glIsEnabled(_COLOR_MATERIAL):
-        gl.glGetMaterialfv(_FRONT, _DIFFUSE, ctypes.addressof(shade))
-    else:
-        gl.glGetFloatv(_CURRENT_COLOR, ctypes.addressof(shade))
-    row = BY_NAME["glColor4f"]
-    return row.pack.pack(*shade, row.tag)
-
-
-def normal() -> bytes:
-    """The record of a glNormal3f with the normal that vertices have until they are given another.
-    Outside glBegin/glEnd."""
-    now = (ctypes.c_float * 4)()
-    gl.glGetFloatv(_CURRENT_NORMAL, ctypes.addressof(now))
-    row = BY_NAME["glNormal3f"]
-    return row.pack.pack(*now[:3], row.tag)
-
-
-def unsupported() -> str:
-    """Why the current context cannot be styled, empty when it can. Costs a few queries."""
-    if not current_context():
-        return "no context is current"
-    return shortcoming()

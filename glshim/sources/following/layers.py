@@ -7,7 +7,7 @@ same content is found again, so a still picture costs its hash.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import count
 
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted
@@ -15,11 +15,11 @@ from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 from glshim.sources.fixed.immediate import assemble_many
-from glshim.sources.fixed.state import DrawState
+from glshim.sources.source import Polygons, Primitive
+from glshim.sources.state import DrawState
 
 _serial = count()
 
-Primitive = tuple[int, bytes]
 Item = tuple[PolygonBatch, Camera]
 Rectangle = tuple[int, int, int, int]
 
@@ -79,6 +79,20 @@ def _overlap(state: DrawState, other: Rectangle) -> bool:
     return across > 2 and up > 2
 
 
+@dataclass(frozen=True, slots=True)
+class FinishedLayer:
+    """A layer whose depth is final."""
+
+    items: tuple[Item, ...]
+    """Polygons, and the cameras that they were drawn with."""
+    over: bool
+    """An earlier layer of the frame lies below it."""
+    fresh: bool
+    """The depth buffer held nothing when it began."""
+    lighting: Lighting | None
+    """The lights when the first lit polygons of the layer were drawn."""
+
+
 class LayerCollector:
     """Gathers the polygons of the current layer of one context."""
 
@@ -89,10 +103,8 @@ class LayerCollector:
         self._batches: list[Item] = []
         self._last: DrawState | None = None
         self._deep: set[Rectangle] = set()
-        self.over = False
-        """An earlier layer of the frame lies below the one that is gathered."""
-        self.fresh = True
-        """The depth buffer held nothing when it began."""
+        self._over = False
+        self._fresh = True
         self.lighting: Lighting | None = None
         """The lights when the first lit polygons of the layer were drawn."""
 
@@ -102,12 +114,11 @@ class LayerCollector:
         return self._last is not None
 
     def carries(self, state: DrawState) -> bool:
-        """Whether polygons drawn in this state get lines."""
+        """Whether polygons drawn in this state get lines, if nothing else is in the way."""
         return (
             state.depth_tested
             and state.depth_written
             and state.fill_faces
-            and not state.obstacle
             and not self._is_hud(state)
         )
 
@@ -128,43 +139,42 @@ class LayerCollector:
     def forget_depth(self) -> None:
         """The depth buffer was cleared: nothing is a HUD yet."""
         self._deep.clear()
-        self.fresh = True
+        self._fresh = True
 
     def end_frame(self) -> None:
         """What is drawn now is another picture."""
         self.forget_depth()
-        self.over = False
+        self._over = False
 
-    def add_primitive(self, state: DrawState, mode: int, stream: bytes) -> None:
-        """A recorded primitive drawn in this state."""
+    def add(self, state: DrawState, polygons: Polygons, camera: Camera) -> None:
+        """Polygons drawn in this state and seen by a camera: of a primitive the state's."""
+        if not isinstance(polygons, Primitive):
+            self._note(state)
+            self._batches.append((polygons, camera))
+            return
         if state is not self._last:
             self._note(state)
         group = self._primitives.get(state)
         if group is None:
             group = self._primitives[state] = []
-        group.append((mode, stream))
-
-    def add_batch(
-        self, state: DrawState, batch: PolygonBatch, camera: Camera | None = None
-    ) -> None:
-        """Polygons drawn in this state, or under another camera than the state's."""
-        self._note(state)
-        self._batches.append((batch, camera or state.camera))
+        group.append(polygons)
 
     def _note(self, state: DrawState) -> None:
         self._last = state
         if not state.flat:
             self._deep.add(state.camera.viewport)
 
-    def take(self) -> tuple[Item, ...]:
-        """The finished layer's items; the next layer begins empty."""
+    def take(self) -> FinishedLayer:
+        """The finished layer; the next one begins empty."""
         items: list[Item] = [
             (self._content.of_primitives(primitives), state.camera)
             for state, primitives in self._primitives.items()
         ]
         items.extend((self._content.of_batch(batch), camera) for batch, camera in self._batches)
+        with_corners = tuple(item for item in items if len(item[0].corners))
+        finished = FinishedLayer(with_corners, self._over, self._fresh, self.lighting)
         self._primitives, self._batches, self._last = {}, [], None
         self.lighting = None
-        self.over, self.fresh = self.over or bool(items), self.fresh and not items
+        self._over, self._fresh = self._over or bool(items), self._fresh and not items
         self._content.tick()
-        return tuple(item for item in items if len(item[0].corners))
+        return finished

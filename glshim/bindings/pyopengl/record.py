@@ -1,0 +1,111 @@
+"""The record of the primitive that is open, and of what an open list says outside primitives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from io import BytesIO
+from threading import get_ident
+
+from glshim.bindings.base import PrimitiveSink
+from glshim.bindings.pyopengl import forward
+
+
+class Record:
+    """A `glshim.bindings.base.PrimitiveStream`, and the state that the recording hooks share.
+
+    In one of three states: nothing is recorded; vertices are held back from the driver (`held`);
+    or what goes straight through to it is recorded as well (`shadow`).
+    """
+
+    __slots__ = (
+        "held", "home", "list_open", "loose", "mode", "shadow", "sink", "stream", "write",
+    )  # fmt: skip
+
+    def __init__(self) -> None:
+        self.sink: PrimitiveSink | None = None
+        self.list_open = False
+        self.stream = BytesIO()
+        self.write: Callable[[bytes], int] = self.stream.write
+        """Records what is said."""
+        self.held: Callable[[bytes], int] | None = None
+        """`write` while vertices are held back, else None."""
+        self.shadow = False
+        self.loose = False
+        """Inside a display list, outside any primitive of it; a shadow, too."""
+        self.mode = 0
+        self.home = 0
+        """The thread that opened the primitive."""
+
+    def inside(self) -> bool:
+        """Whether this thread has a recorded glBegin open."""
+        return (
+            (self.held is not None or self.shadow)
+            and not self.loose
+            and get_ident() == self.home
+        )
+
+    def position(self) -> int:
+        """Bytes recorded so far."""
+        return self.stream.tell()
+
+    def restart(self) -> None:
+        """An empty record."""
+        self.stream = BytesIO()
+        self.write = self.stream.write
+
+    def spill(self) -> None:
+        """Send what is held back, call by call; the rest of the primitive follows at once."""
+        if self.held is not None:
+            self.held, self.shadow = None, True
+            forward.replay(self.stream.getvalue())
+
+    def extend(self, records: bytes) -> None:
+        """Add records of vertices that reached the driver another way."""
+        if self.shadow:
+            self.write(records)
+
+    def replay(self, records: bytes) -> None:
+        """Say records to the driver, call by call, past every hook."""
+        forward.replay(records)
+
+    # -- display lists ---------------------------------------------------------------------------
+
+    def open_list(self, *, capturing: bool) -> None:
+        """A list begins; when capturing, what is said outside primitives is recorded, too."""
+        self.spill()
+        self.list_open = True
+        if capturing and not self.shadow:
+            self.restart()
+            self.loose = self.shadow = True
+
+    def close_list(self) -> None:
+        """It ends: what is recorded goes into it, also of a primitive that it leaves open."""
+        self.spill()
+        self.settle()
+        if self.sink is not None and self.shadow and not self.loose:
+            self.sink.unfinished(self.mode, self.stream.getvalue())
+        self.loose = self.shadow = False
+        self.list_open = False
+
+    def settle(self) -> None:
+        """Tell the sink what an open list has said outside primitives so far."""
+        if self.loose:
+            records = self.stream.getvalue()
+            self.restart()
+            if self.sink is not None:
+                self.sink.loose(records)
+
+    def resume(self, mode: int, records: bytes) -> None:
+        """A list that was called left a primitive open, with these records in it."""
+        self.restart()
+        self.write(records)
+        self.mode, self.home = mode, get_ident()
+        self.shadow = True
+
+    def finish(self) -> tuple[int, bytes] | None:
+        """A list that was called has closed the primitive: its mode and records."""
+        if not self.shadow and self.held is None:
+            return None
+        self.spill()
+        self.shadow = False
+        return self.mode, self.stream.getvalue()

@@ -1,0 +1,90 @@
+"""The display lists of one context: what is compiled into them, and what their calls do to the
+primitive that is being recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from glshim.bindings.base import PrimitiveStream
+from glshim.model.batch import Wanted
+from glshim.sources.fixed import normals
+from glshim.sources.fixed.lists import Closing, Item, ListBook, LooseVertices, Opening, list_names
+from glshim.sources.source import Call
+from glshim.spec.ask import integer
+from glshim.spec.constants import GL_COMPILE, GL_LIST_BASE
+from glshim.spec.roles import Role
+
+
+class ListCompiler:
+    """Follows glNewList and what comes after it."""
+
+    def __init__(self, stream: PrimitiveStream, wanted: Wanted) -> None:
+        self.book = ListBook(wanted)
+        self._stream = stream
+        self._mode = 0
+        self._base = 0
+        self._partial = False
+        """Some list adds to primitives of others, or ends them."""
+
+    @property
+    def is_open(self) -> bool:
+        """A list is being compiled."""
+        return self.book.open is not None
+
+    @property
+    def only_compiles(self) -> bool:
+        """A list is open that does not draw while it is compiled."""
+        return self.book.open is not None and self._mode == GL_COMPILE
+
+    def open(self, name: int, mode: int) -> None:
+        """glNewList."""
+        self.book.begin(name)
+        self._mode = mode
+
+    def add(self, item: Item) -> None:
+        """Note what an open list holds; without an open list, nothing."""
+        program = self.book.open
+        if program is not None:
+            if not isinstance(item, LooseVertices):
+                self._stream.settle()  # what was said before it comes before it
+            program.items.append(item)
+            if isinstance(item, (LooseVertices, Closing)):
+                self._partial = True
+
+    def look_at_base(self) -> None:
+        """Before a primitive: ask for the list base if a list called inside it may matter, by
+        adding vertices or ending it. Inside, nothing may be asked."""
+        if self._partial or self.book.open is not None:
+            self._base = integer(GL_LIST_BASE)
+
+    def names(self, role: Role, args: Sequence[Any], *, inside: bool = False) -> tuple[int, ...]:
+        """The lists that a call of LIST_CALLS runs."""
+        if role is Role.LIST_CALL:
+            return list_names(role, args, 0)
+        return list_names(role, args, self._base if inside else integer(GL_LIST_BASE))
+
+    def left_open(self, names: tuple[int, ...]) -> int | None:
+        """The first list that, called, ends inside a primitive that it began."""
+        return next(filter(self.book.leaves_open, names), None)
+
+    def resume(self, name: int) -> None:
+        """A list was called that left a primitive open: its rest is recorded from now on."""
+        said = b""
+        for item in self.book.items(name):
+            if isinstance(item, Opening):
+                record = normals.after(said, normals.UNKNOWN) + item.stream
+                self._stream.resume(item.mode, record)
+            # The list's own normal before it, if nothing else came between.
+            said = item.stream if isinstance(item, LooseVertices) else b""
+
+    def called_inside(self, names: tuple[int, ...]) -> tuple[int, bytes] | None:
+        """Lists were called inside a primitive: they add vertices. Mode and record of the primitive
+        when they ended it."""
+        self.add(Call(names))
+        for item in (item for name in names for item in self.book.items(name)):
+            if isinstance(item, LooseVertices):
+                self._stream.extend(item.stream)
+            elif isinstance(item, Closing):
+                return self._stream.finish()
+        return None

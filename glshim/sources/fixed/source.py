@@ -1,0 +1,200 @@
+"""The fixed-function pipeline as a source: immediate mode, arrays, display lists, shapes in C."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+from glshim.bindings.base import PrimitiveStream
+from glshim.model.batch import WHOLE, PolygonBatch, Wanted
+from glshim.model.camera import Camera
+from glshim.notices import say_once
+from glshim.sources.arguments import number
+from glshim.sources.fixed import normals
+from glshim.sources.fixed.compiler import ListCompiler
+from glshim.sources.fixed.current import colour, normal_of
+from glshim.sources.fixed.evaluators import evaluator_key
+from glshim.sources.fixed.fetch import Unfetchable, VertexFetch
+from glshim.sources.fixed.lists import Opening
+from glshim.sources.fixed.primitive import OpenPrimitive
+from glshim.sources.fixed.rectangles import rectangle
+from glshim.sources.fixed.shapes import Shapes
+from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
+from glshim.sources.state import DrawState
+from glshim.spec.ask import integer
+from glshim.spec.attributes import BY_NAME
+from glshim.spec.constants import GL_MATRIX_MODE, GL_QUADS
+from glshim.spec.driver import current_context
+from glshim.spec.roles import LIST_CALLS, Role
+from glshim.spec.shapes import Shape
+
+_VERTEX = BY_NAME["glVertex3f"]
+
+
+class FixedFunction:
+    """A `glshim.sources.source.Source`, of one context. What lists hold and which buffers were
+    written it follows whether anything is drawn or not."""
+
+    def __init__(self, stream: PrimitiveStream, wanted: Wanted) -> None:
+        self.lists = ListCompiler(stream, wanted)
+        self.fetch = VertexFetch()
+        self._stream = stream
+        self._wanted = wanted
+        self._shapes = Shapes()
+        self._primitive = OpenPrimitive(stream)
+
+    def restyle(self, wanted: Wanted) -> None:
+        """Batches shall come with something else from now on."""
+        self._wanted = self.lists.book.wanted = wanted
+
+    def tick(self) -> None:
+        """A frame has passed."""
+        self._shapes.tick()
+        self.fetch.tick()
+
+    @property
+    def _recorded(self) -> Wanted:
+        """What is recorded now: in a list all there is, for the styles under which it is called."""
+        return WHOLE if self.lists.is_open else self._wanted
+
+    # -- what is followed ------------------------------------------------------------------------
+
+    def begin(self, state: DrawState | None) -> None:
+        """Before a primitive; state: the one it is drawn in, if its polygons carry lines."""
+        self.lists.look_at_base()
+        self._primitive.begin(
+            colour() if self._recorded.colours else b"", normal_of(state, self._wanted)
+        )
+
+    def end(self, mode: int, record: bytes) -> Drawn:
+        """After it: what was drawn. An open list holds it now."""
+        record = self._primitive.with_elements(record, self._element)
+        again = self._primitive.again(mode, record)
+        if again is not None:
+            shape = Shape(None, again)
+            self.lists.add(shape)
+            return shape
+        record = self._primitive.colour + record
+        # A list begins with the normal of whoever calls it, not with today's.
+        self.lists.add(Primitive(mode, record))
+        return Primitive(mode, self._primitive.normal + record)
+
+    def unfinished(self, mode: int, record: bytes) -> None:
+        """An open list leaves the primitive open that it began."""
+        self.lists.add(Opening(mode, self._primitive.with_elements(record, self._element)))
+
+    def inside(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> tuple[int, bytes] | None:
+        """A call inside a primitive, or between those of an open list. Mode and record of the
+        primitive when that has ended it."""
+        if not self._stream.inside():
+            self._stream.extend(normals.said(name, args))
+        elif role is Role.ARRAY_ELEMENT:
+            self._primitive.element(number(args, 0))
+        elif role is Role.EVALUATION or role is Role.EVALUATOR_MESH:
+            self._primitive.evaluation(functools.partial(call, *args))
+        elif role is Role.NORMAL:
+            if self._recorded.normals:
+                self._stream.extend(normals.said(name, args))
+        elif role in LIST_CALLS:
+            return self.lists.called_inside(self.lists.names(role, args, inside=True))
+        return None
+
+    def drawn(
+        self,
+        role: Role,
+        name: str,
+        args: tuple[Any, ...],
+        call: Callable[..., Any],
+        state: DrawState | None,
+    ) -> Drawn | None:
+        """What an array draw, a rectangle or an evaluated grid has drawn, None where an open list
+        alone holds it now."""
+        if role is Role.EVALUATOR_MESH:
+            draw = functools.partial(call, *args)
+            if not self.lists.is_open:
+                return Shape(evaluator_key(name, args), draw)
+            # Its map may be set by the list itself: asked when the list is called.
+            self.lists.add(Shape(None, draw))
+            return None
+        if role is Role.RECT:
+            record = rectangle(name, args)
+            self.lists.add(Primitive(GL_QUADS, record))
+            return Primitive(GL_QUADS, normal_of(state, self._wanted) + record)
+        arrays = ArrayDraw(name, args)
+        if self.lists.is_open:
+            whole = self._fetched(arrays, WHOLE)
+            if whole is not None:
+                self.lists.add(whole)
+        return arrays
+
+    def resume(self, name: int) -> None:
+        """A list was called that left a primitive open, which goes on now."""
+        self.lists.resume(name)
+        self._primitive.colour = self._primitive.normal = b""
+
+    # -- what it gives ---------------------------------------------------------------------------
+
+    def obstacle(self, state: DrawState) -> str | None:
+        """All draws without a program of the app's own are this source's."""
+        return None if state.program else ""
+
+    def polygons(self, drawn: Drawn, state: DrawState) -> Iterable[tuple[Polygons, Camera]]:
+        """What was drawn, in object space, and the camera of the matrix stacks."""
+        if isinstance(drawn, Primitive):
+            return ((drawn, state.camera),)
+        if isinstance(drawn, Call):
+            return self._called(drawn, state.camera)
+        if isinstance(drawn, ArrayDraw):
+            batch = self._of_arrays(drawn, state)
+        else:
+            batch = self._of_shape(drawn, state.camera)
+        return () if batch is None else ((batch, state.camera),)
+
+    def _of_arrays(self, drawn: ArrayDraw, state: DrawState) -> PolygonBatch | None:
+        batch = self._fetched(drawn, self._wanted)
+        if batch is not None and batch.normals is None:
+            current = normal_of(state, self._wanted)
+            if current:
+                batch = normals.throughout(batch, current)
+        return batch
+
+    def _of_shape(self, shape: Shape, camera: Camera) -> PolygonBatch | None:
+        if self.lists.is_open:  # what is said to the driver now goes into the list
+            return None
+        if shape.camera_bound and shape.key is not None:
+            view = (camera.modelview.tobytes(), camera.projection.tobytes(), camera.viewport)
+            shape = replace(shape, key=(shape.key, view))
+        return self._shapes.polygons(shape)
+
+    def _called(self, call: Call, camera: Camera) -> Iterable[tuple[PolygonBatch, Camera]]:
+        for name in call.names:
+            found = self.lists.book.polygons(
+                name, integer(GL_MATRIX_MODE), self._shapes.polygons, current_context()
+            )
+            if found.relative is not None:
+                yield found.relative, camera
+            for batch, modelview in found.absolute:
+                yield batch, replace(camera, modelview=modelview)
+
+    # -- arrays ----------------------------------------------------------------------------------
+
+    def _fetched(self, drawn: ArrayDraw, wanted: Wanted) -> PolygonBatch | None:
+        try:
+            return self.fetch.batch(drawn.name, drawn.args, wanted)
+        except Unfetchable as reason:
+            say_once(f"unstyled: {drawn.name}, because {reason}")
+            return None
+
+    def _element(self, index: int) -> bytes:
+        """The records of the vertex of a glArrayElement call; empty where they cannot be had."""
+        try:
+            vertex = _VERTEX.pack.pack(*self.fetch.element(index), _VERTEX.tag)
+            given = self.fetch.element_normal(index) if self._recorded.normals else b""
+        except Unfetchable as reason:
+            say_once(f"unstyled: glArrayElement, because {reason}")
+            return b""
+        return given + vertex

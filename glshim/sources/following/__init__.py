@@ -1,0 +1,1 @@
+"""From calls to layers: the follower, the scene of each context, and its layer."""

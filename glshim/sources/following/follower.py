@@ -1,0 +1,322 @@
+"""Follows the app's draws: what the binding tells becomes polygons in its context's layer."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any, Protocol, TypeVar
+
+from glshim.bindings.base import PrimitiveStream
+from glshim.model.batch import POSITIONS, Wanted
+from glshim.notices import say_once
+from glshim.sources.arguments import number
+from glshim.sources.fixed.immediate import POLYGON_MODES
+from glshim.sources.fixed.lights import lighting
+from glshim.sources.fixed.lists import Change, Closing, LooseVertices
+from glshim.sources.following.layers import FinishedLayer
+from glshim.sources.following.scene import Scene, Scenes
+from glshim.sources.source import Call, Drawn
+from glshim.sources.state import DrawState
+from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
+from glshim.spec.roles import (
+    BUFFER_WRITES,
+    IN_LISTS,
+    LIST_CALLS,
+    OTHER_DRAWS,
+    POLYGON_DRAWS,
+    Role,
+)
+from glshim.spec.shapes import Shape
+
+_COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
+_PICK_AREA = 64
+"""A readback of at most so many pixels is an app looking for what lies under the pointer: it gets
+the app's own colours. A larger one is a picture and shows the lines."""
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+class LayerSink(Protocol):
+    """Where layers go, and what must be known on the way."""
+
+    def cover(self) -> None:
+        """Polygons that carry lines are about to be drawn by the app."""
+
+    def uncover(self) -> None:
+        """They have been drawn."""
+
+    def layer_ends(self, layer: FinishedLayer, scene: Scene) -> None:
+        """The depth of a layer with polygons is final, in the current context's scene."""
+
+    def flush(self, call: Callable[[], Any]) -> Any:
+        """glFlush or glFinish, which ``call`` makes; it may end a frame."""
+
+    def context_renewed(self) -> None:
+        """The current context has the address of one that is gone, and none of its objects."""
+
+    def give_up(self, error: BaseException) -> None:
+        """A fault of ours: no more styling; the app's call goes on."""
+
+
+def contained(method: F) -> F:
+    """A fault of ours ends the styling, never the app's call."""
+
+    @functools.wraps(method)
+    def safe(self: Follower, *args: Any) -> Any:
+        try:
+            return method(self, *args)
+        except Exception as error:
+            self._sink.give_up(error)
+            return None
+
+    return safe  # type: ignore[return-value]
+
+
+class Follower:
+    """A `glshim.bindings.base.Watcher`."""
+
+    def __init__(self, stream: PrimitiveStream, sink: LayerSink) -> None:
+        """Of no style yet: :meth:`restyle`. stream: the binding's."""
+        self._sink = sink
+        self._idle = True
+        """Nothing is drawn: only what lists hold and which buffers were written is followed."""
+        self._scenes = Scenes(stream)
+        self._now: Scene | None = None
+        """Where the open primitive is drawn."""
+
+    def restyle(self, wanted: Wanted | None) -> None:
+        """Polygons shall come with something else from now on, or (None) not at all. What layers
+        hold is dropped: between frames nothing."""
+        self._idle = wanted is None
+        self._scenes.restyle(wanted or POSITIONS)
+
+    # -- primitives ------------------------------------------------------------------------------
+
+    @contained
+    def begin(self, mode: int) -> None:
+        """Before glBegin."""
+        self._now = scene = self._scenes.current()
+        if scene is not None:
+            self._open(mode in POLYGON_MODES, scene)
+            scene.fixed.begin(scene.drawing)
+
+    @contained
+    def end(self, mode: int, stream: bytes) -> None:
+        """After glEnd."""
+        self._ended(mode, stream)
+
+    def _ended(self, mode: int, stream: bytes) -> None:
+        scene = self._now
+        if scene is None:
+            return
+        state = self._close(scene)
+        if mode in POLYGON_MODES:
+            drawn = scene.fixed.end(mode, stream)
+            if state is not None:
+                self._add(scene, state, drawn)
+
+    @contained
+    def loose(self, stream: bytes) -> None:
+        """An open list has vertices outside any primitive of it."""
+        scene = self._scenes.current()
+        if scene is not None and stream:
+            scene.fixed.lists.add(LooseVertices(stream))
+
+    @contained
+    def stray_end(self) -> None:
+        """An open list ends a primitive that it did not begin."""
+        scene = self._scenes.current()
+        if scene is not None:
+            scene.fixed.lists.add(Closing())
+
+    @contained
+    def unfinished(self, mode: int, stream: bytes) -> None:
+        """An open list leaves the primitive open that it began."""
+        scene = self._scenes.current()
+        if scene is not None:
+            self._close(scene)
+            scene.fixed.unfinished(mode, stream)
+
+    @contained
+    def inside(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> None:
+        """Something that is legal inside glBegin/glEnd was called there, or in an open list."""
+        scene = self._scenes.current()
+        if scene is None or scene.refused:
+            return
+        finished = scene.fixed.inside(role, name, args, call)
+        if finished is not None:
+            self._ended(*finished)
+
+    # -- calls by role ---------------------------------------------------------------------------
+
+    @contained
+    def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
+        """Before a call by role."""
+        if role in _RENEWALS and self._scenes.renewed():
+            self._sink.context_renewed()
+        scene = self._scenes.current()
+        if scene is None:
+            return
+        if role in POLYGON_DRAWS:
+            self._open(True, scene)
+        elif role in OTHER_DRAWS:
+            self._open(False, scene)
+        elif role is Role.CLEAR:
+            self._clear(scene, number(args, 0))
+        elif role is Role.CLEAR_BUFFER:
+            self._clear(scene, _COLOR_AND_DEPTH)
+        elif role is Role.READ_PIXELS:
+            if number(args, 2) * number(args, 3) > _PICK_AREA:
+                self._finish(scene)
+        elif role is Role.READBACK or role is Role.TARGET:
+            self._finish(scene)
+        elif role in BUFFER_WRITES:
+            if not scene.refused:
+                scene.fixed.fetch.buffer_written(role, args)
+        elif role is Role.LIST_CLOSE:
+            self._scenes.close_list(scene)
+        elif role is Role.LIST_FORGET:
+            scene.fixed.lists.book.forget(number(args, 0), number(args, 1))
+        elif role is Role.CLIP_PLANE:
+            scene.reader.forget()
+
+    def _clear(self, scene: Scene, mask: int) -> None:
+        if mask & _COLOR_AND_DEPTH:
+            self._finish(scene)
+        if mask & GL_DEPTH_BUFFER_BIT:
+            scene.layer.forget_depth()
+
+    @contained
+    def after(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> None:
+        """After a call by role, also when PyOpenGL found a GL error."""
+        scene = self._scenes.current()
+        if scene is None or scene.refused:
+            return
+        fixed = scene.fixed
+        if role is Role.LIST_OPEN:
+            fixed.lists.open(int(args[0]), int(args[1]))
+        elif role in IN_LISTS:
+            fixed.lists.add(Change.of(name, args))
+        elif role in LIST_CALLS:
+            self._lists_called(scene, fixed.lists.names(role, args))
+        elif role in POLYGON_DRAWS:
+            state = self._close(scene)
+            if state is not None or fixed.lists.is_open:
+                drawn = fixed.drawn(role, name, args, call, state)
+                if state is not None and drawn is not None:
+                    self._add(scene, state, drawn)
+        elif role in OTHER_DRAWS:
+            self._close(scene)
+
+    @contained
+    def refused(self) -> None:
+        """PyOpenGL refused the arguments: nothing was drawn."""
+        scene = self._scenes.current()
+        if scene is not None:
+            self._close(scene)
+
+    def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
+        state = scene.drawing
+        opening = None if state is None else scene.fixed.lists.left_open(names)
+        if opening is None:
+            self._close(scene)
+        scene.fixed.lists.add(Call(names))
+        if state is not None:
+            whole = names if opening is None else names[: names.index(opening)]
+            self._add(scene, state, Call(whole))
+        if opening is not None:  # GL is inside a primitive: it stays covered until that ends
+            self._now = scene
+            scene.fixed.resume(opening)
+
+    # -- shapes drawn in C -----------------------------------------------------------------------
+
+    @contained
+    def before_shape(self, name: str) -> None:
+        """GLU, GLUT or GLE is about to draw."""
+        scene = self._scenes.current()
+        if scene is not None:
+            self._open(True, scene)
+
+    @contained
+    def after_shape(self, shape: Shape | None) -> None:
+        """It has drawn a shape, or (None) no polygons."""
+        scene = self._scenes.current()
+        if scene is None:
+            return
+        state = self._close(scene)
+        if scene.refused or shape is None:
+            return
+        scene.fixed.lists.add(shape)
+        if state is not None:
+            self._add(scene, state, shape)
+
+    # -- draws and layers ------------------------------------------------------------------------
+
+    def _open(self, polygons: bool, scene: Scene) -> None:
+        """A draw begins: the layer may end, and its polygons may carry lines."""
+        scene.drawing = None
+        if self._idle or scene.refused or scene.unpainted or scene.fixed.lists.only_compiles:
+            return
+        layer = scene.layer
+        if not polygons and not layer.pending:
+            return
+        state = scene.reader.read()
+        compiling = scene.fixed.lists.is_open
+        if layer.pending and layer.ends_with(state) and not compiling:
+            self._end_layer(scene)
+        if not polygons:
+            return
+        obstacle = scene.obstacle(state)
+        if obstacle:
+            say_once(f"unstyled: polygons drawn while {obstacle}")
+        elif layer.carries(state):
+            scene.drawing = state
+            if not compiling:
+                if state.camera.lit and layer.lighting is None:
+                    layer.lighting = lighting()
+                self._sink.cover()
+
+    def _close(self, scene: Scene) -> DrawState | None:
+        """The draw is over: its state if its polygons carry lines."""
+        state, scene.drawing = scene.drawing, None
+        if state is not None:
+            self._sink.uncover()
+        return state
+
+    def _add(self, scene: Scene, state: DrawState, drawn: Drawn) -> None:
+        """The layer gets what was drawn, from the source that the draw is of."""
+        for polygons, camera in scene.source.polygons(drawn, state):
+            scene.layer.add(state, polygons, camera)
+
+    def _end_layer(self, scene: Scene) -> None:
+        layer = scene.layer.take()
+        if layer.items:
+            self._sink.layer_ends(layer, scene)
+
+    def _finish(self, scene: Scene) -> None:
+        if scene.layer.pending and not scene.fixed.lists.is_open:
+            self._end_layer(scene)
+
+    @contained
+    def finish_frame(self) -> None:
+        """A toolkit is about to present the current context's picture."""
+        scene = self._scenes.current()
+        if scene is not None:
+            self._finish(scene)
+            scene.layer.end_frame()
+            scene.fixed.tick()
+
+    def flush(self, call: Callable[[], Any]) -> Any:
+        """In place of glFlush or glFinish."""
+        scene = self._scenes.current()
+        if scene is None or scene.refused or scene.unpainted:
+            return call()
+        return self._sink.flush(call)
+
+
+_RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
+"""When a new context at an old one's address is looked out for: a program that draws comes by."""

@@ -1,0 +1,156 @@
+"""What belongs to one GL context: where its polygons come from, and its current layer."""
+
+from __future__ import annotations
+
+import ctypes
+
+from glshim.bindings.base import PrimitiveStream
+from glshim.model.batch import POSITIONS, Wanted
+from glshim.notices import say_once
+from glshim.sources.fixed.source import FixedFunction
+from glshim.sources.following.layers import LayerCollector
+from glshim.sources.programs.source import Programs
+from glshim.sources.source import Source
+from glshim.sources.state import DrawState, StateReader
+from glshim.spec.ask import integer
+from glshim.spec.constants import (
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER,
+    GL_READ_FRAMEBUFFER_BINDING,
+    GL_VERTEX_ARRAY_BINDING,
+)
+from glshim.spec.context import has_vertex_arrays, shortcoming
+from glshim.spec.driver import current_context, gl
+
+_MARKER = 997
+
+
+class Scene:
+    """The book-keeping of one context. Make it while that context is current."""
+
+    def __init__(self, stream: PrimitiveStream, wanted: Wanted = POSITIONS) -> None:
+        """wanted: what batches shall come with."""
+        self.refused = shortcoming()
+        """Why nothing can be styled here; empty when it can."""
+        self.unpainted = ""
+        """Why the style that is on cannot be drawn here; empty when it can. Lists and buffers are
+        followed all the same, for another one."""
+        self.reader = StateReader(lighting=wanted.lights)
+        self.layer = LayerCollector(wanted)
+        self.fixed = FixedFunction(stream, wanted)
+        self.sources: tuple[Source, ...] = (self.fixed, Programs())
+        """In the order in which they are asked."""
+        self.source: Source = self.fixed
+        """Whose the last draw was."""
+        self.drawing: DrawState | None = None
+        """State of the draw that is under way, if its polygons carry lines."""
+        self._marker = 0
+
+    def restyle(self, wanted: Wanted) -> None:
+        """Batches shall come with something else from now on, in a layer that begins anew. Lists,
+        buffers and shapes stay known."""
+        self.unpainted = ""
+        self.reader = StateReader(lighting=wanted.lights)
+        self.layer = LayerCollector(wanted)
+        self.fixed.restyle(wanted)
+
+    def obstacle(self, state: DrawState) -> str:
+        """Why polygons drawn in a state cannot carry lines; empty when they can. Then, and when
+        the source alone is in the way, :attr:`source` is the one that a draw is of."""
+        if not state.rendered:
+            return "selection or feedback"
+        for source in self.sources:
+            why = source.obstacle(state)
+            if why is not None:
+                self.source = source
+                return why or state.obstacle
+        return "no source knows their polygons"
+
+    def mark(self) -> None:
+        """Leave a mark in the context, so that :attr:`stale` can tell. When the first layer ends:
+        until then nothing of ours is in it."""
+        if not self._marker:
+            self._marker = _mark()
+
+    @property
+    def stale(self) -> bool:
+        """Whether the current context is another one, at the address of the one that was."""
+        if not self._marker:
+            return False
+        is_there = gl.glIsVertexArray if has_vertex_arrays() else gl.glIsFramebuffer
+        return not is_there(self._marker)
+
+
+class Scenes:
+    """The scenes of this process by context."""
+
+    def __init__(self, stream: PrimitiveStream, wanted: Wanted = POSITIONS) -> None:
+        self._stream = stream
+        self._wanted = wanted
+        self._by_context: dict[int, Scene] = {}
+
+    def current(self) -> Scene | None:
+        """The current context's scene; None without a context."""
+        handle = current_context()
+        if not handle:
+            return None
+        scene = self._by_context.get(handle)
+        if scene is None:
+            scene = self._by_context[handle] = Scene(self._stream, self._wanted)
+            if scene.refused:
+                say_unstyled(scene.refused)
+        return scene
+
+    def restyle(self, wanted: Wanted) -> None:
+        """`Scene.restyle`, of all."""
+        self._wanted = wanted
+        for scene in self._by_context.values():
+            scene.restyle(wanted)
+
+    def renewed(self) -> bool:
+        """Look whether the current context is new, at an old one's address; it gets a new scene
+        then. Ask now and then, outside primitives: at a clear, before a list."""
+        scene = self._by_context.get(current_context())
+        if scene is None or not scene.stale:
+            return False
+        del self._by_context[current_context()]
+        return True
+
+    def close_list(self, scene: Scene) -> None:
+        """glEndList. Other contexts may share the list that changed."""
+        name = scene.fixed.lists.book.end()
+        if name is not None:
+            for other in self._by_context.values():
+                if other is not scene:
+                    other.fixed.lists.book.redefined_elsewhere(name)
+
+
+def _mark() -> int:
+    """An object of a kind that contexts do not share, under a name that no app comes to: a vertex
+    array, or where there are none a framebuffer."""
+    arrays = has_vertex_arrays()
+    names = (ctypes.c_uint * _MARKER)()
+    if arrays:
+        bound = integer(GL_VERTEX_ARRAY_BINDING)
+        gl.glGenVertexArrays(_MARKER, names)
+        gl.glDeleteVertexArrays(_MARKER - 1, names)
+        gl.glBindVertexArray(names[_MARKER - 1])
+        gl.glBindVertexArray(bound)
+    else:
+        bounds = (
+            (GL_DRAW_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING)),
+            (GL_READ_FRAMEBUFFER, integer(GL_READ_FRAMEBUFFER_BINDING)),
+        )
+        gl.glGenFramebuffers(_MARKER, names)
+        gl.glDeleteFramebuffers(_MARKER - 1, names)
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, names[_MARKER - 1])
+        for target, name in bounds:
+            gl.glBindFramebuffer(target, name)
+    return int(names[_MARKER - 1])
+
+
+def say_unstyled(why: str) -> None:
+    """Once: nothing can be styled in a context."""
+    say_once(f"unstyled: {why}; the program runs as it would without a style")

@@ -1,0 +1,1 @@
+"""Draws under shader programs of the app's own."""
