@@ -24,11 +24,20 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.pipeline import install as install
     from glshim.pipeline import uninstall as uninstall
     from glshim.styling.fixed import BackFaces as BackFaces
+    from glshim.styling.glsl import glsl as glsl
     from glshim.styling.lines import Draw as Draw
     from glshim.styling.lines import Expansion as Expansion
     from glshim.styling.lines import Lines as Lines
     from glshim.styling.lines import Medium as Medium
     from glshim.styling.lines import Shader as Shader
+    from glshim.styling.media.hand import brush as brush
+    from glshim.styling.media.hand import hand as hand
+    from glshim.styling.media.hand import pencil as pencil
+    from glshim.styling.media.ink import dashes as dashes
+    from glshim.styling.media.ink import ink as ink
+    from glshim.styling.options import Option as Option
+    from glshim.styling.options import option as option
+    from glshim.styling.options import options_of as options_of
     from glshim.styling.passes import HEADLIGHT as HEADLIGHT
     from glshim.styling.passes import MeshShader as MeshShader
     from glshim.styling.passes import Pass as Pass
@@ -40,10 +49,7 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.passes import bodies as bodies
     from glshim.styling.pictures import Image as Image
     from glshim.styling.pictures import read_image as read_image
-    from glshim.styling.protocol import Option as Option
     from glshim.styling.protocol import Styler as Styler
-    from glshim.styling.protocol import option as option
-    from glshim.styling.protocol import options_of as options_of
     from glshim.styling.texts import parse_style as parse_style
     from glshim.styling.values import Body as Body
     from glshim.styling.values import Colour as Colour
@@ -61,10 +67,14 @@ _HOMES = {
     "glshim.model.camera": "Camera",
     "glshim.pipeline": "install uninstall",
     "glshim.styling.fixed": "BackFaces",
+    "glshim.styling.glsl": "glsl",
     "glshim.styling.lines": "Draw Expansion Lines Medium Shader",
+    "glshim.styling.media.hand": "brush hand pencil",
+    "glshim.styling.media.ink": "dashes ink",
+    "glshim.styling.options": "Option option options_of",
     "glshim.styling.passes": "HEADLIGHT MeshShader Pass Primitives Sieve State Stencil Weld bodies",
     "glshim.styling.pictures": "Image read_image",
-    "glshim.styling.protocol": "Option Styler option options_of",
+    "glshim.styling.protocol": "Styler",
     "glshim.styling.texts": "parse_style",
     "glshim.styling.values": "Body Colour Layer Uniform",
     "glshim.styling.wishes": "Choice Features Pattern",

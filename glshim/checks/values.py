@@ -18,23 +18,17 @@ from glshim.checks.finding import Check, Fault
 from glshim.errors import StyleError
 from glshim.model.batch import PolygonBatch
 from glshim.styling.fromfile import shortcoming
-from glshim.styling.passes import MeshShader
+from glshim.styling.lines import Shader
+from glshim.styling.options import Option, options_of
+from glshim.styling.passes import MeshShader, shown_needs
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import (
-    SURFACES,
-    BackFaces,
-    Layer,
-    Lines,
-    Option,
-    Pass,
-    Shader,
-    Styler,
-    options_of,
-)
+from glshim.styling.protocol import SURFACES, BackFaces, Layer, Lines, Pass, Styler
 
 _COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 _UNIFORM = re.compile(r"\buniform\s+(?:(?:lowp|mediump|highp)\s+)?(\w+)\s+([^;]+);")
 _NAME = re.compile(r"\w+")
+_GIVEN = ("ridge_turn", "valley_turn")
+"""Uniforms that `Lines` give the shaders of their media."""
 _PRELUDES = ("depth", "line", "window", "mesh", "edges")
 
 
@@ -60,11 +54,11 @@ def _options_are_described(styler: Styler) -> None:
     for option in options_of(make):
         if not option.help.strip():
             raise Fault(f"option {option.name} has no help", "say what it does: help=...")
-        if option.kind == "number" and (option.low is None or option.high is None):
+        if option.kind in ("number", "integer") and (option.low is None or option.high is None):
             raise Fault(f"option {option.name} has no range", "give it low=... and high=...")
         for value in (option.default, getattr(styler, option.name)):
             _reads_back(option, value)
-        if option.kind == "number":
+        if option.kind in ("number", "integer"):
             for edge in (option.low, option.high):
                 _take(styler, option, edge)
             for beyond in (option.low - 1.0, option.high + 1.0, float("nan")):  # type: ignore[operator]
@@ -253,10 +247,16 @@ def _uniforms_of(
                 f"{what} is given a uniform {name!r}{when} that it does not have",
                 f"declare it, or leave it out: it declares {', '.join(declared) or 'none'}",
             )
+    if isinstance(draw, Pass):
+        for name in sorted(shown_needs(draw.shader) - frozenset(draw.shader.needs or ())):
+            raise Fault(
+                f"{what} reads {name}, which its needs do not name",
+                f'add it: MeshShader(..., needs={{"{name}", ...}})',
+            )
     colours = not isinstance(draw, Pass) or draw.state.writes_colour
     used = _used(draw)
     for name, kind in _own(draw, all_stages=colours).items():
-        given = name in uniforms or name in reserved or "ampler" in kind
+        given = name in uniforms or name in reserved or name in _GIVEN or "ampler" in kind
         if name in used and not given:
             raise Fault(
                 f"{what} declares a uniform {name!r}{when} that no draw sets",
@@ -321,7 +321,7 @@ def variants(styler: Styler) -> list[tuple[str, Styler]]:
         values: tuple[Any, ...]
         if option.kind == "switch":
             values = (not now,)
-        elif option.kind == "number":
+        elif option.kind in ("number", "integer"):
             values = (option.low, option.high)
         else:
             values = option.choices + (((0.2, 0.4, 0.6),) if "colour" in option.kind else ())

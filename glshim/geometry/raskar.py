@@ -1,4 +1,4 @@
-"""The lines of Raskar 2001 as strokes in the window: the numpy reference of ``raskar.vert.glsl``.
+"""The lines of Raskar 2001 as strokes in the window: the numpy reference of ``ink.vert.glsl``.
 
 R. Raskar, "Hardware Support for Non-photorealistic Rendering", Graphics Hardware 2001. Section
 2.1 enlarges a back-facing polygon with sides E and normal N by ``w z sin(a) (V.C)/(V.N)`` along
@@ -205,7 +205,7 @@ def pixel_depth(point: Doubles, along: Doubles, camera: Camera) -> Doubles:
 
 def coverage(strokes: Strokes, row: int, pixels: Doubles) -> Doubles:
     """(...) ink in 0..1 that a stroke puts on pixels whose centres are given (..., 2), hidden or
-    not: the box-filtered distance to its rim, `raskar.frag.glsl`."""
+    not: the box-filtered distance to its rim, `ink.frag.glsl`."""
     a, b = strokes.start[row, :2], strokes.finish[row, :2]
     length = float(np.hypot(*(b - a)))
     along = (b - a) / length

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 
 from glshim.model.camera import Camera
-from glshim.styling.lines import Lines, Medium
-from glshim.styling.values import Item, in_order
+from glshim.styling.lines import Lines, Medium, turns
+from glshim.styling.values import Item, Uniform, in_order
 from glshim.styling.wishes import Choice, Features
 
 
@@ -20,6 +20,11 @@ class Group:
     """In the order in which the app drew them; cameras are affine, alike in all but modelview."""
     wanted: Choice | Features
     medium: Medium
+
+    @property
+    def uniforms(self) -> Mapping[str, Uniform]:
+        """What the medium's shader reads: its own, and at which angles folds are lines."""
+        return {**turns(self.wanted), **self.medium.uniforms}
 
     @property
     def camera(self) -> Camera:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from glshim.errors import StyleError
 from glshim.styling import registry
-from glshim.styling.protocol import Styler, options_of
+from glshim.styling.options import options_of
+from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE
 from glshim.styling.texts import load_style, parse_style
 

@@ -10,7 +10,9 @@ from pathlib import Path
 from types import ModuleType
 
 from glshim.errors import StyleError, nearest
-from glshim.styling.protocol import Option, Styler, options_of
+from glshim.styling.former import advice
+from glshim.styling.options import Option, options_of
+from glshim.styling.protocol import Styler
 
 SUFFIX = ".py"
 _MODULE = "glshim_style_file_"
@@ -63,9 +65,9 @@ def load(path: Path, name: str) -> type[Styler]:
 def shortcoming(found: object) -> str:
     """What keeps a class from being a styler, with what to do; nothing where it is one."""
     if not (isinstance(found, type) and issubclass(found, Styler)):
-        return "is no styler: derive it from glshim.Styler"
+        return "is not a styler: derive it from glshim.Styler"
     if "__dataclass_fields__" not in vars(found):
-        return "is no dataclass: write @dataclass(frozen=True) over it"
+        return "is not a dataclass: write @dataclass(frozen=True) over it"
     if not isinstance(found.name, str) or not found.name.isidentifier():
         return 'has no name: write name: ClassVar[str] = "my_style"'
     if found.draws is Styler.draws:
@@ -73,7 +75,7 @@ def shortcoming(found: object) -> str:
     described = {option.name for option in options_of(found)}
     for each in dataclasses.fields(found):
         if each.name not in described:
-            return f"has a field {each.name!r} that is no option: give it option(..., help=...)"
+            return f"has a field {each.name!r} that is not an option: give it option(..., help=...)"
     for option in options_of(found):
         fault = _bad(option)
         if fault:
@@ -123,7 +125,7 @@ def _told(path: Path, error: BaseException, what: str = "") -> str:
     """One line: where in the file an exception came from, and what it says."""
     lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
     place = f":{lines[-1]}" if lines else ""
-    reason = " ".join(str(error).splitlines())
+    reason = " ".join(str(error).splitlines()) + advice(error)
     kind = type(error).__name__
     return f"{path}{place}: {what}{kind}{': ' if reason else ''}{reason}"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import cos, sin
 from typing import Any, Protocol
 
 import numpy as np
@@ -71,7 +72,8 @@ class Medium:
 
     shader: Shader
     uniforms: Mapping[str, Uniform] = field(default_factory=dict)
-    """The shader's own uniforms by name."""
+    """The shader's own by name. It may also declare ``vec2 ridge_turn`` and ``valley_turn``: cosine
+    and sine of the angles of `Lines.wanted`."""
     image: Image | None = None
     """What the fragment shader's sampler ``stroke`` reads."""
     pattern: Pattern | None = None
@@ -92,6 +94,12 @@ class Lines:
     """Lines that follow each other in one coat keep of each pixel the most ink; those of the next
     one go over it. The number tells neighbours apart: what is given first is drawn first, whatever
     its coat."""
+
+
+def turns(wanted: Choice | Features) -> dict[str, tuple[float, float]]:
+    """``ridge_turn``, ``valley_turn``: cosine and sine of the angles at which folds are lines."""
+    ridge, valley = wanted.ridge_angle or 0.0, wanted.valley_angle or 0.0
+    return {"ridge_turn": (cos(ridge), sin(ridge)), "valley_turn": (cos(valley), sin(valley))}
 
 
 class Draw(Lines):

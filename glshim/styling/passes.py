@@ -6,10 +6,11 @@ meshes that were recovered from the stream, and the shader decides (McGuire & Hu
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from glshim.errors import StyleError, unknown
 from glshim.geometry.crease.creases import Criterion
 from glshim.geometry.meshshaders.poses import Pose
 from glshim.styling.former import accept
@@ -33,19 +34,44 @@ VERTICES: Mapping[Primitive, int] = {"lines": 2, "triangles": 3, "quads": 4}
 """Vertices of one primitive."""
 
 
+NEEDS = ("app_colour", "gbuffer", "rest", "light")
+"""What a `MeshShader` may read: the app's finished picture, pixel for pixel (``uniform sampler2D
+app_colour``); what passes before it drew into the G-buffer (``uniform sampler2D gbuffer``); where
+vertices were when their mesh was first seen (``rest(v)``); the light of its pass (``light``)."""
+
+
 @dataclass(frozen=True, slots=True)
 class MeshShader:
     """GLSL texts (no ``#version`` line). `vertex` follows the preludes ``depth.glsl`` and
     ``mesh.glsl``, which give the mesh, the camera and the light; `fragment` follows ``depth.glsl``.
-    One that declares ``uniform sampler2D app_colour`` finds the app's finished picture there, pixel
-    for pixel, and in ``uniform sampler2D gbuffer`` what passes drew into that. Colours are
-    premultiplied."""
+    Colours are premultiplied."""
 
     name: str
     vertex: str
     fragment: str
     geometry: str = ""
     """Follows the preludes of `vertex`; for elements ``adjacency`` and ``lines``."""
+    needs: Collection[str] | None = None
+    """What it reads beside the mesh and its own uniforms, of `NEEDS`. None: what its texts show."""
+
+    def __post_init__(self) -> None:
+        needs = shown_needs(self) if self.needs is None else frozenset(self.needs)
+        for name in needs:
+            if name not in NEEDS:
+                raise unknown(f"shader {self.name!r} needs {name!r}", name, NEEDS)
+        object.__setattr__(self, "needs", needs)
+
+
+def shown_needs(shader: MeshShader) -> frozenset[str]:
+    """What the texts of a shader show that it reads, for those that do not say; all but the light,
+    whose name a text may have for something else."""
+    texts = shader.vertex + shader.geometry
+    shown = {
+        "app_colour": "app_colour" in shader.fragment,
+        "gbuffer": "gbuffer" in shader.fragment + texts,
+        "rest": "rest(" in texts,
+    }
+    return frozenset(name for name, reads in shown.items() if reads)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +178,14 @@ class Pass:
     """Passes that follow each other in one coat share colour, depth and stencil; at the first of
     another one what was drawn is laid over the window, and all three begin anew. The number tells
     neighbours apart: what is given first is drawn first, whatever its coat."""
+
+
+    def __post_init__(self) -> None:
+        if self.light is None and "light" in (self.shader.needs or ()):
+            raise StyleError(
+                f"shader {self.shader.name!r} needs a light: give its Pass light=layer.light, or "
+                "light=HEADLIGHT for one at the viewer"
+            )
 
 
 _OLD = (

@@ -18,6 +18,7 @@ from types import MappingProxyType
 
 from glshim.errors import StyleError, unknown
 from glshim.notices import say_once
+from glshim.styling.former import advice
 from glshim.styling.protocol import Styler
 
 STYLERS, LOOKS = "glshim.stylers", "glshim.looks"
@@ -79,7 +80,8 @@ def load(name: str) -> type[Styler]:
     try:
         found = point.load()
     except Exception as error:
-        raise StyleError(f"style {name!r} ({point.value}) cannot be loaded: {error}") from error
+        told = f"{error}{advice(error)}"
+        raise StyleError(f"style {name!r} ({point.value}) cannot be loaded: {told}") from error
     if not (isinstance(found, type) and issubclass(found, Styler)):
         raise StyleError(f"style {name!r} ({point.value}) is not a glshim Styler")
     return found

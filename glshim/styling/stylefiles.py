@@ -19,7 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from glshim.errors import StyleError, unknown
-from glshim.styling.protocol import Option, Styler, options_of
+from glshim.styling.options import Option, options_of
+from glshim.styling.protocol import Styler
 
 if sys.version_info >= (3, 11):
     import tomllib

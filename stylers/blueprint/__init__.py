@@ -6,16 +6,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.media.hand import hand, outlines
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Lines, option
 from stylers.blueprint.dimensions import dimensions
-from stylers.hand import Hand, strokes
-from stylers.hand.paper import Paper, under
+from stylers.shared import options
+from stylers.shared.hand import ByHand, strokes
+from stylers.shared.hand.paper import Paper, under
 
 
 @dataclass(frozen=True)
-class Blueprint(Styler):
+class Blueprint(ByHand):
     """White lines on blue that overshoot their corners, with dimensions (NPRQuake)."""
 
     name: ClassVar[str] = "blueprint"
@@ -23,7 +24,7 @@ class Blueprint(Styler):
     width: float = option(1.6, help="width of outlines", low=0.5, high=32.0, unit="px")
     inner_width: float = option(1.0, help="width of other lines", low=0.5, high=32.0, unit="px")
     opacity: float = option(0.55, help="of one stroke", low=0.02, high=1.0)
-    strokes: float = option(2.0, help="how often each line is drawn", low=1.0, high=16.0)
+    strokes: int = option(2, help="how often each line is drawn", low=1, high=16)
     overshoot: float = option(
         0.2, help="how far lines go on beyond their corners, of their length", low=0.0, high=1.0
     )
@@ -37,12 +38,12 @@ class Blueprint(Styler):
     grid: float = option(16.0, help="printed on the paper; 0: none", low=0.0, high=512.0, unit="px")
     shade: float = option(0.4, help="how much of the app's light", low=0.0, high=1.0)
     boil: float = options.boil()
-    seed: float = options.seed()
+    seed: int = options.seed()
     crease_angle: float = options.crease_angle(45.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#ffffff", help="colour of the lines")  # noqa: RUF009
-    paper: Colour = option("#000080", help="colour of the paper")  # noqa: RUF009
+    ink: Colour = option("#ffffff", help="colour of the lines")
+    paper: Colour = option("#000080", help="colour of the paper")
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """The paper, every line, and dimensions over them."""
@@ -52,16 +53,14 @@ class Blueprint(Styler):
             self.paper, shade=self.shade, tooth=0.6, grid=self.grid, rule=(red, green, blue)
         )
         yield from under(paper, layer)
-        hand = Hand(
-            self.crease_angle, (self.width, self.inner_width),
-            (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
+        medium = hand(
+            self.inner_width, self.ink, widths=outlines(self.width), opacity=self.opacity,
             wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
-            pressure=0.1, corner=30.0, boil=self.boil,
-            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
-            tolerance=self.tolerance,
+            pressure=0.1, corner=30.0, scale=layer.scale,
         )  # fmt: skip
-        yield from strokes(hand, layer)
+        own = self.hand(medium, self.strokes)
+        yield from strokes(own, layer)
         if self.dimensions:
             yield from dimensions(
-                hand, layer, frequency=self.dimensions, ink=self.ink, coat=hand.strokes
+                own, layer, frequency=self.dimensions, ink=self.ink, coat=own.strokes
             )

@@ -1,5 +1,5 @@
 // What:   of a straight edge that is seen whole, now and then, a quad for its dimension.
-// Inputs: the line (raskar/trace.glsl); how many edges have dimensions.
+// Inputs: the line (trace.glsl); how many edges have dimensions.
 // Source: NPRQuake's blueprint.
 
 uniform float frequency;  // of edges that have a dimension, 0..1

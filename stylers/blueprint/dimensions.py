@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
-from importlib.resources import files
 
 import numpy as np
 
+from glshim.styling.glsl import glsl
+from glshim.styling.lines import Shader
+from glshim.styling.media.ink import STROKE, TRACE
 from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Layer, Lines, Medium, Shader
-from stylers.hand import Hand, features, pattern, uniforms
+from glshim.styling.protocol import Colour, Layer, Lines
+from stylers.shared.hand import Hand, features
 
 _CHARACTERS = "0123456789."
 _WIDE, _HIGH = 28, 44
@@ -19,17 +22,10 @@ LEAST = 44.0
 """Pixels of an edge that has a dimension."""
 
 
-@cache
-def _shader() -> Shader:
-    raskar, here = files("stylers.raskar"), files(__package__)
-    stroke, trace = ((raskar / f"{name}.glsl").read_text("utf-8") for name in ("stroke", "trace"))
-    common, vertex, fragment = (
-        (here / f"{name}.glsl").read_text("utf-8")
-        for name in ("dimension", "dimension.vert", "dimension.frag")
-    )
-    return Shader(
-        "dimension", stroke + trace + common + vertex, stroke + common + fragment, vertices=4
-    )
+_SHADER = Shader(
+    "dimension", TRACE + glsl(__file__, "dimension", "dimension.vert"),
+    STROKE + glsl(__file__, "dimension", "dimension.frag"), vertices=4,
+)  # fmt: skip
 
 
 @cache
@@ -52,8 +48,13 @@ def dimensions(
 ) -> Iterator[Lines]:
     """Of the edges that the hand draws a share, with their lengths in the units of eye space: those
     of the program's world."""
-    drawn = {
-        **uniforms(hand), "frequency": frequency, "least": LEAST, "rule": ink, "opacity": 0.85,
-    }  # fmt: skip
-    medium = Medium(_shader(), drawn, characters(), pattern(hand))
+    medium = replace(
+        hand.medium,
+        shader=_SHADER,
+        uniforms={
+            **hand.medium.uniforms, "frequency": frequency, "least": LEAST, "rule": ink,
+            "opacity": 0.85,
+        },
+        image=characters(),
+    )  # fmt: skip
     yield Lines(layer.bodies, features(hand), medium, coat=coat)

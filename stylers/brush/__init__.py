@@ -13,22 +13,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.media.hand import brush
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.textures.brushes import BRUSHES
 from stylers.brush.paint import Paint, painted
-from stylers.hand import Hand, strokes
-from stylers.strokes.brushes import BRUSHES, brush
-
-_BRISTLES = 2.2
-"""Widths of a stroke over which the hairs of its brush leave the paper."""
-
-_FULL = 7.0
-"""Widths long is a stroke that is painted in its full width; small things are painted finer."""
+from stylers.shared import options
+from stylers.shared.hand import ByHand, strokes
 
 
 @dataclass(frozen=True)
-class Brush(Styler):
+class Brush(ByHand):
     """Lines painted with a brush over surfaces painted in the app's colours (NPRQuake)."""
 
     name: ClassVar[str] = "brush"
@@ -43,16 +38,16 @@ class Brush(Styler):
     width: float = option(7.0, help="width of an outline's stroke", low=0.5, high=64.0, unit="px")
     inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
     opacity: float = option(0.92, help="of one stroke", low=0.02, high=1.0)
-    layers: float = option(1.0, help="how often each line is painted", low=1.0, high=4.0)
+    layers: int = option(1, help="how often each line is painted", low=1, high=4)
     jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
     boil: float = options.boil()
-    seed: float = options.seed()
+    seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#1f1b24", help="colour of the strokes")  # noqa: RUF009
-    paper: Colour = option("#f7f1e3", help="colour of the paper")  # noqa: RUF009
+    ink: Colour = option("#1f1b24", help="colour of the strokes")
+    paper: Colour = option("#f7f1e3", help="colour of the paper")
     tint: float = option(
         0.9, help="how much of the paper the app's own colours cover", low=0.0, high=1.0
     )
@@ -60,24 +55,8 @@ class Brush(Styler):
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
-        image, length, coloured = brush(self.brush, self.width)
-        hand = Hand(
-            self.crease_angle,
-            (self.width, self.inner * self.width),
-            (self.ink, self.ink),
-            strokes=round(self.layers),
-            opacity=self.opacity,
-            wobble=self.jitter,
-            overshoot=self.overshoot,
-            pressure=0.25,
-            taper=1.5 * self.width,
-            boil=self.boil,
-            image=image,
-            length=length,
-            coloured=coloured,
-            bristles=_BRISTLES * self.width,
-            tip=_FULL * self.width,
-            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
-            tolerance=self.tolerance,
-        )
-        yield from strokes(hand, layer)
+        medium = brush(
+            self.brush, self.width, self.ink, inner=self.inner, opacity=self.opacity,
+            wobble=self.jitter, overshoot=self.overshoot, scale=layer.scale,
+        )  # fmt: skip
+        yield from strokes(self.hand(medium, self.layers), layer)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from math import floor
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass
 from glshim.styling.protocol import Colour, Layer
-from stylers.edge_mesh.tones import tone_shader
-from stylers.hand.paper import laid
+from stylers.shared.hand.paper import laid
+from stylers.shared.tones import tone_shader
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class Paint:
 
 @cache
 def _shader() -> MeshShader:
-    return tone_shader("paint", (files(__package__) / "paint.frag.glsl").read_text("utf-8"))
+    return tone_shader("paint", glsl(__file__, "paint.frag"))
 
 
 def painted(paint: Paint, layer: Layer) -> Iterator[Pass]:

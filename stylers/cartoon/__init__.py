@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib.resources import files
 from typing import ClassVar
 
 from glshim.model.lights import Light
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, Uniform, option
-from glshim.styling.values import Body
-from stylers import options
-from stylers.crossings import crossings
-from stylers.edge_mesh import EdgeMesh
-from stylers.shading import (
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.values import Body, Uniform
+from stylers.shared import options
+from stylers.shared.features import feature_lines
+from stylers.shared.intersections import intersection_lines
+from stylers.shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
     by_light,
@@ -28,9 +28,7 @@ from stylers.shading import (
     screen_shader,
 )
 
-_SHADER = screen_shader(
-    "cartoon", (files(__package__) / "cartoon.frag.glsl").read_text("utf-8"), bent=NEAR_ENOUGH
-)
+_SHADER = screen_shader("cartoon", glsl(__file__, "cartoon.frag"), bent=NEAR_ENOUGH)
 
 
 @dataclass(frozen=True)
@@ -39,12 +37,12 @@ class Cartoon(Styler):
 
     name: ClassVar[str] = "cartoon"
 
-    bands: float = option(3.0, help="flat shades of light", low=2.0, high=16.0)
+    bands: int = option(3, help="flat shades of light", low=2, high=16)
     exposure: float = option(
         1.5, help="factor of the light before it is cut into bands", low=0.1, high=10.0
     )
     shadow: float = option(0.55, help="brightness of the darkest band", low=0.0, high=1.0)
-    shadow_tint: Colour = option(  # noqa: RUF009
+    shadow_tint: Colour = option(
         "#d6d0f0", help="colour that the darkest band is tinted with"
     )
     highlight: float = option(
@@ -66,8 +64,8 @@ class Cartoon(Styler):
     saturation: float = option(
         1.2, help="how pure colours are; 1: as the app has them, 0: grey", low=0.0, high=3.0
     )
-    posterise: float = option(
-        0.0, help="levels of brightness of paints and textures; 0: as they are", low=0.0, high=64.0
+    posterise: int = option(
+        0, help="levels of brightness of paints and textures; 0: as they are", low=0, high=64
     )
     outline_width: float = option(3.0, help="width of outlines", low=0.5, high=64.0, unit="px")
     line_width: float = option(
@@ -75,7 +73,7 @@ class Cartoon(Styler):
     )
     crease_angle: float = options.crease_angle(60.0)
     intersections: str = options.intersections()
-    ink: Colour = option("#101014", help="colour of the lines")  # noqa: RUF009
+    ink: Colour = option("#101014", help="colour of the lines")
     tolerance: float = options.tolerance()
 
     @property
@@ -100,30 +98,22 @@ class Cartoon(Styler):
         given = layer.lighting.lights if layer.lighting is not None else ()
         yield from self._shaded(lit, given if self.lights == "app" else head)
         yield from self._shaded(unlit, head)
-        yield from self._lines.draws(layer)
+        yield from feature_lines(
+            layer, self.ink, outlines=self.outline_width, open_sides=self.outline_width,
+            creases=max(self.line_width, 0.5) if self.line_width > 0.0 else None,
+            crease_angle=self.crease_angle, tolerance=self.tolerance,
+        )  # fmt: skip
         if self.line_width > 0.0:
-            yield from crossings(self.intersections, layer, self.line_width, self.ink)
+            yield from intersection_lines(self.intersections, layer, self.line_width, self.ink)
 
     def _shaded(self, found: tuple[Body, ...], lights: tuple[Light, ...]) -> Iterable[Pass]:
         look: dict[str, Uniform] = {
-            "bands": float(round(self.bands)), "exposure": self.exposure, "shadow": self.shadow,
+            "bands": float(self.bands), "exposure": self.exposure, "shadow": self.shadow,
             "shadow_tint": self.shadow_tint, "highlight": self.highlight, "gloss": self.gloss,
             "rim": self.rim, "saturation": self.saturation,
-            "paints": float(round(self.posterise)),
+            "paints": float(self.posterise),
         }  # fmt: skip
         for lens in lenses(found):
             yield from lit_passes(
                 _SHADER, lens, look | lamp_uniforms(lights, lens), self.tolerance
             )
-
-    @property
-    def _lines(self) -> EdgeMesh:
-        inner = self.line_width > 0.0
-        width = max(self.line_width, 0.5)
-        ridge, valley = options.folds(self.crease_angle)
-        return EdgeMesh(
-            ridges=inner, valleys=inner, ridge_angle=ridge, valley_angle=valley,
-            contour_width=self.outline_width, boundary_width=self.outline_width,
-            ridge_width=width, valley_width=width, contour_ink=self.ink, boundary_ink=self.ink,
-            ridge_ink=self.ink, valley_ink=self.ink, tolerance=self.tolerance,
-        )  # fmt: skip

@@ -1,5 +1,5 @@
 // What:   flat bands of light over the app's paints, as on a cel: highlights and rims too.
-// Inputs: pixel.glsl, lamps.glsl (stylers/shading): the app's picture holds its paints, unlit.
+// Inputs: pixel.glsl, lamps.glsl (stylers/shared/shading): the app's picture holds its paints, unlit.
 // Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
 //         2000, section 3; rims: P. Barla et al., "X-Toon", NPAR 2006, section 3.2 (a tone that
 //         depends on n . v). Numpy reference of the bands: glshim/model/lights.py.

@@ -9,36 +9,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from importlib.resources import files
 from math import radians
 from typing import Any, ClassVar, cast
 
 from glshim.geometry.crease.creases import Criterion
 from glshim.geometry.meshshaders.sieve import CREASE, SMOOTH
+from glshim.styling.glsl import glsl
+from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from glshim.styling.values import Body
-from stylers import options
-from stylers.strokes import made
-
-_HERE = files(__package__)
-_STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
-
-
-def _text(name: str) -> str:
-    return (_HERE / name).read_text("utf-8")
+from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.textures import made
+from glshim.styling.values import Body, Uniform
+from stylers.shared import options
 
 
 def _shaders(name: str) -> tuple[MeshShader, MeshShader]:
     """For lines, and for those of a few pixels, whose strokes stay in the geometry shader."""
-    geometry = _STROKE + _text("quads.glsl") + _text(f"{name}.geom.glsl")
+    geometry = STROKE + glsl(__file__, "quads", f"{name}.geom")
     short = "#define SHORT_LINES\n#undef PASSED\n#define PASSED\n" + geometry
-    fragment = _STROKE + _text("crease.frag.glsl")
-    record = _text("record.vert.glsl")
+    fragment = STROKE + glsl(__file__, "crease.frag")
+    record = glsl(__file__, "record.vert")
     return (
-        MeshShader(f"crease {name}", record, fragment, geometry),
-        MeshShader(f"crease short {name}", record, _text("short.frag.glsl"), short),
+        MeshShader(f"crease {name}", record, fragment, geometry, needs=("gbuffer",)),
+        MeshShader(f"crease short {name}", record, glsl(__file__, "short.frag"), short, needs=()),
     )
 
 
@@ -46,7 +40,9 @@ CREASES, SILHOUETTES = _shaders("crease"), _shaders("smooth")
 _SHORTEST = 4.0
 """Pixels of the longest short line, as in the shader. Most of what a dense mesh gives is shorter;
 asking for each of its pixels whether it is seen is what costs a driver in software most."""
-BACK = MeshShader("crease back", _text("back.vert.glsl"), _text("back.frag.glsl"))
+BACK = MeshShader(
+    "crease back", glsl(__file__, "back.vert"), glsl(__file__, "back.frag"), needs=()
+)
 _INK = State(depth="always", blend="greatest")
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 
@@ -104,8 +100,8 @@ class Crease(Styler):
     texture: str = options.texture("lines")
     texture_length: float = options.texture_length("a line")
     tolerance: float = options.tolerance(0.0)
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = options.fill()  # noqa: RUF009
+    ink: Colour = option("#000000", help="colour of the lines")
+    fill: str | Colour = options.fill()
 
     @property
     def wants_normals(self) -> bool:

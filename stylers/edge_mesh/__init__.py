@@ -7,36 +7,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from math import cos, degrees, radians, sin
+from math import degrees, radians
 from typing import Any, ClassVar, cast
 
-from glshim.geometry.raskar import INWARD
 from glshim.model.dihedral import crease_limits
-from glshim.model.lines import BOUNDARY, GROUPS, MARKED, SUGGESTIVE
+from glshim.styling.media.ink import ink
 from glshim.styling.passes import Pass
-from glshim.styling.pictures import Image
-from glshim.styling.protocol import Colour, Layer, Lines, Medium, Styler, Uniform, option
-from glshim.styling.wishes import Features, Pattern
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.textures import made
+from glshim.styling.wishes import Features
 from stylers.edge_mesh.paper import PaperLook, paper_passes
-from stylers.edge_mesh.tones import TONES, tone_passes
-from stylers.raskar import SHADER
-from stylers.strokes import made
+from stylers.shared import options
+from stylers.shared.tones import TONES, tone_passes
 
-_SILHOUETTES, _RIDGES, _VALLEYS = 0, 1, 2
-_DASH = 12.0
-"""Pixels of a dash of a hidden line with the gap after it."""
-_DIMMED = 0.3
-"""Share of the ink of dimmed lines."""
+_KINDS = {
+    "contours": "contour", "ridges": "ridge", "valleys": "valley", "marked": "marked",
+    "boundary": "boundary", "suggestive": "suggestive",
+}  # fmt: skip
+"""What options of a kind of lines begin with."""
 
 
 def _width(what: str) -> float:
     width: float = option(2.5, help=f"width of {what}", low=0.5, high=64.0, unit="px")
     return width
-
-
-def _colour(what: str) -> Any:
-    return option("#000000", help=f"colour of {what}")
 
 
 @dataclass(frozen=True)
@@ -55,11 +48,11 @@ class EdgeMesh(Styler):
     valley_width: float = _width("valleys")
     marked_width: float = _width("marked edges")
     boundary_width: float = _width("boundary edges")
-    contour_ink: Colour = _colour("contours")  # noqa: RUF009
-    ridge_ink: Colour = _colour("ridges")  # noqa: RUF009
-    valley_ink: Colour = _colour("valleys")  # noqa: RUF009
-    marked_ink: Colour = _colour("marked edges")  # noqa: RUF009
-    boundary_ink: Colour = _colour("boundary edges")  # noqa: RUF009
+    contour_ink: Colour = options.colour("contours")
+    ridge_ink: Colour = options.colour("ridges")
+    valley_ink: Colour = options.colour("valleys")
+    marked_ink: Colour = options.colour("marked edges")
+    boundary_ink: Colour = options.colour("boundary edges")
     ridge_angle: float = option(
         120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
     )
@@ -73,7 +66,7 @@ class EdgeMesh(Styler):
     suggestive_width: float = option(
         1.5, help="width of suggestive contours", low=0.5, high=64.0, unit="px"
     )
-    suggestive_ink: Colour = _colour("suggestive contours")  # noqa: RUF009
+    suggestive_ink: Colour = options.colour("suggestive contours")
     tolerance: float = options.tolerance(0.0)
     strokes: str = option(
         "chained",
@@ -109,11 +102,11 @@ class EdgeMesh(Styler):
         "charcoal on the paper's grain, flat bands, a watercolour wash",
         choices=("app", *TONES),
     )
-    paper: str | Colour = option(  # noqa: RUF009
+    paper: str | Colour = option(
         "app", help="what is behind the surfaces: as the app drew it, or paper of a colour",
         choices=("app",), colour=True,
     )  # fmt: skip
-    fill: str | Colour = options.fill()  # noqa: RUF009
+    fill: str | Colour = options.fill()
 
     @property
     def wants_colours(self) -> bool:
@@ -132,7 +125,6 @@ class EdgeMesh(Styler):
             yield from paper_passes(self._silhouettes(), layer)
 
     def _chained(self, layer: Layer) -> Iterable[Lines]:
-        pattern, image, tinted = self._stroke()
         wanted = Features(
             contours=self.contours and not self.outer,
             ridge_angle=radians(self.ridge_angle) if self.ridges else None,
@@ -143,19 +135,15 @@ class EdgeMesh(Styler):
             suggestive=self.suggestive,
             tolerance=self.tolerance,
         )
-        uniforms: dict[str, Uniform] = {
-            "widths": self._widths,
-            "inks": self._inks,
-            "ridge_turn": (cos(radians(self.ridge_angle)), sin(radians(self.ridge_angle))),
-            "valley_turn": (cos(radians(self.valley_angle)), sin(radians(self.valley_angle))),
-            "textured": float(image is not None),
-            "tinted": tinted,
-            "hidden_share": {"none": 0.0, "dimmed": _DIMMED}.get(
-                self.hidden, self.hidden_share
-            ),
-            "dashes": self._dashes(pattern),
-        }
-        yield Lines(layer.bodies, wanted, Medium(SHADER, uniforms, image, pattern))
+        medium = ink(
+            widths={kind: getattr(self, f"{name}_width") for kind, name in _KINDS.items()},
+            colours={kind: getattr(self, f"{name}_ink") for kind, name in _KINDS.items()},
+            texture=self.texture,
+            texture_length=self.texture_length,
+            hidden=cast(Any, self.hidden),
+            hidden_share=self.hidden_share,
+        )
+        yield Lines(layer.bodies, wanted, medium)
 
     def _look(self) -> PaperLook:
         """The options as the paper's passes have them."""
@@ -190,38 +178,3 @@ class EdgeMesh(Styler):
         """Contours against what is not the object itself, alone."""
         drawn = (True, False, False, False, False)
         return replace(self._look(), strokes="half", caps="round", drawn=drawn, hidden="none")
-
-    @property
-    def _widths(self) -> tuple[float, ...]:
-        found = GROUPS * [self.ridge_width]
-        found[_SILHOUETTES], found[_VALLEYS] = self.contour_width, self.valley_width
-        found[BOUNDARY], found[SUGGESTIVE] = self.boundary_width, self.suggestive_width
-        found[MARKED] = self.marked_width
-        return tuple(found)
-
-    @property
-    def _inks(self) -> tuple[Colour, ...]:
-        found = GROUPS * [self.ridge_ink]
-        found[_SILHOUETTES], found[_VALLEYS] = self.contour_ink, self.valley_ink
-        found[BOUNDARY], found[SUGGESTIVE] = self.boundary_ink, self.suggestive_ink
-        found[MARKED] = self.marked_ink
-        return tuple(found)
-
-    def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
-        """How a texture repeats, or the dashes of hidden lines; its image; 1.0 where that takes
-        the colour of the ink."""
-        middle = self.contour_width / 2.0 - INWARD
-        if self.texture == "none":
-            if self.hidden != "dashed":
-                return None, None, 1.0
-            return Pattern((_DASH,) * GROUPS, middle), None, 1.0
-        width = self.contour_width
-        image, length, coloured = made(self.texture, width, self.texture_length)
-        lengths = tuple(length * own / width for own in self._widths)
-        return Pattern(lengths, middle), image, 0.0 if coloured else 1.0
-
-    def _dashes(self, pattern: Pattern | None) -> float:
-        """Dashes of hidden lines for each repeat of the pattern."""
-        if self.hidden != "dashed" or pattern is None:
-            return 0.0
-        return max(round(pattern.lengths[_SILHOUETTES] / _DASH), 1.0)

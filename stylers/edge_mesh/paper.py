@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from importlib.resources import files
 from math import cos, radians
 from typing import Literal
 
 from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import (
     Actions,
     MeshShader,
@@ -23,10 +23,10 @@ from glshim.styling.passes import (
 )
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.values import Body, Colour, Layer, Uniform
+from stylers.shared.screen import SCREEN
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
 """The order of what `PaperLook` says of each kind."""
-_HERE = files(__package__)
 _DASH = 9.0
 """Pixels after which dashes repeat, of thin lines; and the least number of widths."""
 _DIM = 0.3
@@ -34,19 +34,16 @@ _DIM = 0.3
 _WIDE_DASH = 3.0
 
 
-def _text(name: str) -> str:
-    return (_HERE / f"{name}.glsl").read_text("utf-8")
-
-
 def _shader(name: str, define: str = "") -> MeshShader:
-    fragment = define + _text("receded") + _text("paper.frag")
-    return MeshShader(f"paper {name}", _text("paper") + _text(f"paper_{name}.vert"), fragment)
+    fragment = define + glsl(__file__, "receded", "paper.frag")
+    vertex = glsl(__file__, "paper", f"paper_{name}.vert")
+    return MeshShader(f"paper {name}", vertex, fragment, needs=())
 
 
 LINE, QUAD, CAP = (_shader(name) for name in ("line", "quad", "cap"))
 ROUND = _shader("round", "#define ROUND\n")
-RECEDE = MeshShader("paper recede", _text("recede.vert"), _text("receded") + _text("recede.frag"))
-MASK = MeshShader("paper mask", _text("mask.vert"), _text("mask.frag"))
+RECEDE = MeshShader("paper recede", SCREEN, glsl(__file__, "receded", "recede.frag"), needs=())
+MASK = MeshShader("paper mask", glsl(__file__, "mask.vert"), glsl(__file__, "mask.frag"), needs=())
 
 
 @dataclass(frozen=True, slots=True)

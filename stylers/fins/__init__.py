@@ -9,33 +9,28 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from importlib.resources import files
 from math import pi
 from typing import ClassVar
 
 from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR
+from glshim.styling.glsl import glsl
+from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
-from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.values import Uniform
 from stylers.fins.lighting import Lighting, relit
-
-_HERE = files(__package__)
-_STROKE = (files("stylers.raskar") / "stroke.glsl").read_text("utf-8")
-
-
-def _text(name: str) -> str:
-    return (_HERE / name).read_text("utf-8")
+from stylers.shared import options
 
 
 def _shader(name: str, fragment: str, *defined: str) -> MeshShader:
     given = "".join(f"#define {word}\n" for word in defined)
     # The stroke of a short one stays in the geometry shader.
     own = "#undef PASSED\n#define PASSED\n" if "SHORT_FINS" in defined else ""
-    geometry = given + own + _STROKE + _text("fins.geom.glsl")
-    return MeshShader(name, _text("fins.vert.glsl"), given + fragment, geometry)
+    geometry = given + own + STROKE + glsl(__file__, "fins.geom")
+    return MeshShader(name, glsl(__file__, "fins.vert"), given + fragment, geometry, needs=())
 
 
-_LONG, _SHORT = _STROKE + _text("fins.frag.glsl"), _text("short.frag.glsl")
+_LONG, _SHORT = STROKE + glsl(__file__, "fins.frag"), glsl(__file__, "short.frag")
 FINS = _shader("fins", _LONG), _shader("short fins", _SHORT, "SHORT_FINS")
 """Over triangles with adjacency, as in the article. Of fins of a few pixels the geometry shader
 finds out whether they are seen: drivers in software would ask for each pixel, of which these have
@@ -72,19 +67,19 @@ class Fins(Styler):
         True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
     )
     tolerance: float = options.tolerance(0.0)
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = option(  # noqa: RUF009
+    ink: Colour = option("#000000", help="colour of the lines")
+    fill: str | Colour = option(
         "app",
         help="the surfaces: as the app drew them, lit anew pixel by pixel, in flat bands of that "
         "light, none, or flat in a colour",
         choices=("app", "lit", "cel", "none"), colour=True,
     )  # fmt: skip
-    paint: str | Colour = option(  # noqa: RUF009
+    paint: str | Colour = option(
         "app", help="what lit surfaces are painted with: the app's colours, or one",
         choices=("app",), colour=True,
     )  # fmt: skip
     shine: float = option(0.4, help="brightness of highlights (lit, cel)", low=0.0, high=1.0)
-    bands: float = option(4.0, help="shades of light (cel)", low=2.0, high=16.0)
+    bands: int = option(4, help="shades of light (cel)", low=2, high=16)
 
     @property
     def wants_normals(self) -> bool:
@@ -102,7 +97,7 @@ class Fins(Styler):
         if not found:
             return
         if self.fill in ("lit", "cel"):
-            bands = round(self.bands) if self.fill == "cel" else 0
+            bands = self.bands if self.fill == "cel" else 0
             look = Lighting(self.paint, self.shine, bands)
             yield from relit(found, layer.light, look, self.tolerance)
         uniforms: dict[str, Uniform] = {

@@ -7,15 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.resources import files
 from math import isfinite
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
 from glshim.styling.values import Body, Colour, Place, Uniform
-from stylers.shading import lenses, lit_passes, screen_shader
+from stylers.shared.shading import lenses, lit_passes, screen_shader
 
 SURFACE = screen_shader(
-    "fins surface", (files(__package__) / "surface.frag.glsl").read_text("utf-8"), lamps=False
+    "fins surface", glsl(__file__, "surface.frag"), lamps=False
 )
 
 

@@ -1,5 +1,5 @@
 // What:   surfaces lit pixel by pixel, smooth or in flat bands as on a cel.
-// Inputs: pixel.glsl (stylers/shading), the light.
+// Inputs: pixel.glsl (stylers/shared/shading), the light.
 // Source: Rideout 2010 (per-pixel lighting from the G-buffer, the dragon's cel shader); J. Blinn,
 //         "Models of Light Reflection for Computer Synthesized Pictures", SIGGRAPH 1977.
 

@@ -9,22 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib.resources import files
 from math import ceil
 from typing import ClassVar
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, Primitives, State
-from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.values import Uniform
 from stylers.fur.scale import scale_of
+from stylers.shared import options
 
-_HERE = files(__package__)
-_HAIR, _SHELL, _FIN, _FRAGMENT = (
-    (_HERE / name).read_text("utf-8")
-    for name in ("hair.glsl", "shell.vert.glsl", "fin.vert.glsl", "fur.frag.glsl")
+_FRAGMENT = glsl(__file__, "fur.frag")
+_NEEDS = ("app_colour", "rest", "light")
+SHELLS = MeshShader(
+    "fur shells", glsl(__file__, "hair", "shell.vert"), _FRAGMENT, needs=_NEEDS
 )
-SHELLS = MeshShader("fur shells", _HAIR + _SHELL, _FRAGMENT)
-FINS = MeshShader("fur fins", _HAIR + _FIN, _FRAGMENT)
+FINS = MeshShader("fur fins", glsl(__file__, "hair", "fin.vert"), _FRAGMENT, needs=_NEEDS)
 _STATE = State(writes_depth=True)
 _QUADS = 2
 """Of a fin, one above the other."""
@@ -51,14 +51,14 @@ class Fur(Styler):
         0.6, help="how far hairs hang down: 0 stands on end, 2 lies flat", low=0.0, high=2.0
     )
     curl: float = option(0.6, help="how far hairs turn into locks", low=0.0, high=2.0)
-    layers: float = option(12.0, help="most shells; short fur has fewer", low=2.0, high=64.0)
+    layers: int = option(12, help="most shells; short fur has fewer", low=2, high=64)
     sheen: float = option(0.25, help="light along the hairs", low=0.0, high=1.0)
     fins: bool = option(True, help="hairs in profile near contours")
-    colour: str | Colour = option(  # noqa: RUF009
+    colour: str | Colour = option(
         "app", help="the hairs: as the app drew the skin, or a colour",
         choices=("app",), colour=True,
     )  # fmt: skip
-    fill: str | Colour = options.fill()  # noqa: RUF009
+    fill: str | Colour = options.fill()
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """The fins of each body, and over them its shells from the skin outwards."""
@@ -68,7 +68,7 @@ class Fur(Styler):
             if scale is None:
                 continue
             # A shell for each pixel is enough.
-            shells = max(2, min(round(self.layers), ceil(scale.pixels)))
+            shells = max(2, min(self.layers, ceil(scale.pixels)))
             uniforms: dict[str, Uniform] = {
                 "hair_length": scale.length,
                 "spacing": scale.spacing,

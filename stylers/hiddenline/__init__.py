@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar, cast
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers import options
-from stylers.crossings import crossings
-from stylers.edge_mesh import EdgeMesh
-from stylers.edge_mesh.tones import tone_passes
+from stylers.shared import options
+from stylers.shared.features import feature_lines
+from stylers.shared.intersections import intersection_lines
+from stylers.shared.tones import tone_passes
 
 _WHITE: Colour = (1.0, 1.0, 1.0)
 
@@ -26,13 +26,13 @@ class HiddenLine(Styler):
 
     name: ClassVar[str] = "hiddenline"
 
-    polygons: str | Colour = option(  # noqa: RUF009
+    polygons: str | Colour = option(
         _WHITE, help="colour of the polygons; app: as the app drew them",
         choices=("app",), colour=True,
     )  # fmt: skip
-    line: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    line: Colour = option("#000000", help="colour of the lines")
     width: float = option(1.5, help="width of the lines", low=0.5, high=64.0, unit="px")
-    paper: str | Colour = options.paper(_WHITE)  # noqa: RUF009
+    paper: str | Colour = options.paper(_WHITE)
     edges: str = option(
         "features", help="outlines, creases and open edges, or the sides of all polygons",
         choices=("features", "all"),
@@ -52,16 +52,10 @@ class HiddenLine(Styler):
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper behind the polygons, and lines."""
         yield from tone_passes("app", self.paper, self.line, layer)
-        yield from self._lines.draws(layer)
-        yield from crossings(self.intersections, layer, self.width, self.line)
-
-    @property
-    def _lines(self) -> EdgeMesh:
-        """Every side folds by 0 degrees or more one way or the other."""
-        ridge, valley = options.folds(0.0 if self.edges == "all" else self.crease_angle)
-        return EdgeMesh(
-            ridge_angle=ridge, valley_angle=valley, contour_width=self.width,
-            boundary_width=self.width, ridge_width=self.width, valley_width=self.width,
-            contour_ink=self.line, boundary_ink=self.line, ridge_ink=self.line,
-            valley_ink=self.line, hidden=self.hidden, tolerance=self.tolerance,
+        # Every side folds by 0 degrees or more one way or the other.
+        least = 0.0 if self.edges == "all" else self.crease_angle
+        yield from feature_lines(
+            layer, self.line, outlines=self.width, open_sides=self.width, creases=self.width,
+            crease_angle=least, hidden=cast(Any, self.hidden), tolerance=self.tolerance,
         )  # fmt: skip
+        yield from intersection_lines(self.intersections, layer, self.width, self.line)

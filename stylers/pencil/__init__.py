@@ -12,17 +12,17 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.media.hand import pencil
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers import options
-from stylers.hand import Hand, strokes
-from stylers.hand.hatching import Hatching, hatched
+from glshim.styling.protocol import Colour, Layer, Lines, option
 from stylers.pencil.rubbing import Rubbing, rubbed
-from stylers.strokes.brushes import brush
+from stylers.shared import options
+from stylers.shared.hand import ByHand, strokes
+from stylers.shared.hand.hatching import Hatching, hatched
 
 
 @dataclass(frozen=True)
-class Pencil(Styler):
+class Pencil(ByHand):
     """Soft pencil lines and tones on grained paper."""
 
     name: ClassVar[str] = "pencil"
@@ -30,7 +30,7 @@ class Pencil(Styler):
     width: float = option(2.6, help="width of an outline's stroke", low=0.5, high=32.0, unit="px")
     inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
     opacity: float = option(0.75, help="of one stroke", low=0.02, high=1.0)
-    strokes: float = option(2.0, help="how often each line is drawn", low=1.0, high=8.0)
+    strokes: int = option(2, help="how often each line is drawn", low=1, high=8)
     jitter: float = option(1.1, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
     hatching: float = option(0.85, help="strokes in dark places", low=0.0, high=1.0)
@@ -39,12 +39,12 @@ class Pencil(Styler):
         0.0, help="the app's own colours: 0 graphite, 1 coloured pencils", low=0.0, high=1.0
     )
     boil: float = options.boil()
-    seed: float = options.seed()
+    seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#2b2a2d", help="colour of the graphite")  # noqa: RUF009
-    paper: Colour = option("#f8f6f0", help="colour of the paper")  # noqa: RUF009
+    ink: Colour = option("#2b2a2d", help="colour of the graphite")
+    paper: Colour = option("#f8f6f0", help="colour of the paper")
 
     @property
     def wants_normals(self) -> bool:
@@ -61,14 +61,8 @@ class Pencil(Styler):
             ),
             layer,
         )  # fmt: skip
-        image, length, _ = brush("pencil", 2.0 * self.width)
-        hand = Hand(
-            self.crease_angle, (2.0 * self.width, 2.0 * self.inner * self.width),
-            (self.ink, self.ink), strokes=round(self.strokes), opacity=self.opacity,
-            wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.35, taper=18.0 * layer.scale,
-            tip=50.0 * layer.scale, boil=self.boil, scale=layer.scale,
-            image=image, length=length, intersections=self.intersections, seed=round(self.seed),
-            tolerance=self.tolerance,
+        medium = pencil(
+            self.width, self.ink, inner=self.inner, opacity=self.opacity, wobble=self.jitter,
+            overshoot=self.overshoot, scale=layer.scale,
         )  # fmt: skip
-        yield from strokes(hand, layer)
+        yield from strokes(self.hand(medium, self.strokes), layer)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass
 from glshim.styling.protocol import Colour, Layer
-from stylers.edge_mesh.tones import tone_shader
-from stylers.hand.paper import laid
+from stylers.shared.hand.paper import laid
+from stylers.shared.tones import tone_shader
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Rubbing:
 
 @cache
 def _shader() -> MeshShader:
-    return tone_shader("rubbing", (files(__package__) / "rubbing.frag.glsl").read_text("utf-8"))
+    return tone_shader("rubbing", glsl(__file__, "rubbing.frag"))
 
 
 def rubbed(look: Rubbing, layer: Layer) -> Iterator[Pass]:

@@ -8,42 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib.resources import files
-from math import cos, radians, sin
+from math import radians
 from typing import ClassVar
 
-from glshim.geometry.raskar import INWARD
-from glshim.model.lines import GROUPS
-from glshim.styling.pictures import Image
-from glshim.styling.protocol import (
-    Colour,
-    Layer,
-    Lines,
-    Medium,
-    Shader,
-    Styler,
-    Uniform,
-    option,
-)
-from glshim.styling.wishes import Choice, Pattern
-from stylers import options, strokes
-from stylers.raskar.expansion import expand
-
-_HERE = files(__package__)
-
-
-def _text(name: str) -> str:
-    return (_HERE / f"{name}.glsl").read_text("utf-8")
-
-
-_STROKE = _text("stroke")
-SHADER = Shader(
-    "raskar",
-    _STROKE + _text("trace") + _text("raskar.vert"),
-    _STROKE + _text("raskar.frag"),
-    vertices=4,
-    expand=expand,
-)
+from glshim.styling.media.ink import ink
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.wishes import Choice
+from stylers.shared import options
 
 
 @dataclass(frozen=True)
@@ -88,48 +59,28 @@ class Raskar(Styler):
     texture_on: str = option(
         "silhouettes", help="the lines that have the texture", choices=("silhouettes", "all")
     )
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = options.fill()  # noqa: RUF009
+    ink: Colour = option("#000000", help="colour of the lines")
+    fill: str | Colour = options.fill()
 
     def draws(self, layer: Layer) -> Iterable[Lines]:
         """Rings around back-facing polygons, strokes on front-facing ones."""
         if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
             return
-        ridge, valley = radians(self.ridge_angle), radians(self.valley_angle)
-        pattern, image, tinted = self._stroke()
-        choice = Choice(
+        wanted = Choice(
             silhouettes=self.silhouettes,
-            ridge_angle=ridge if self.ridges else None,
-            valley_angle=valley if self.valleys else None,
+            ridge_angle=radians(self.ridge_angle) if self.ridges else None,
+            valley_angle=radians(self.valley_angle) if self.valleys else None,
             intersections=self.intersections,
             connectivity=self.connectivity,
         )
-        uniforms: dict[str, Uniform] = {
-            "widths": (*self._widths, *(GROUPS - 4) * (1.0,)),
-            "ridge_turn": (cos(ridge), sin(ridge)),
-            "valley_turn": (cos(valley), sin(valley)),
-            "inks": GROUPS * (self.ink,),
-            "hidden_share": 0.0,
-            "textured": float(pattern is not None),
-            "tinted": tinted,
-            "dashes": 0.0,
-        }
-        yield Lines(layer.bodies, choice, Medium(SHADER, uniforms, image, pattern))
-
-    @property
-    def _widths(self) -> tuple[float, float, float, float]:
-        return self.silhouette_width, self.ridge_width, self.valley_width, self.intersection_width
-
-    def _stroke(self) -> tuple[Pattern | None, Image | None, float]:
-        """The texture: how it repeats, on narrower lines sooner; its image; 1.0 where that takes
-        the colour of the ink."""
-        if self.texture == "none":
-            return None, None, 1.0
-        width = self.silhouette_width
-        image, length, coloured = strokes.made(self.texture, width, self.texture_length)
-        silhouettes, *others = (length * own / width for own in self._widths)
-        if self.texture_on == "silhouettes":
-            others = [0.0, 0.0, 0.0]
-        ridges, valleys, intersections = others
-        pattern = Pattern((silhouettes, ridges, valleys, intersections), width / 2.0 - INWARD)
-        return pattern, image, 0.0 if coloured else 1.0
+        medium = ink(
+            colour=self.ink,
+            widths={
+                "silhouettes": self.silhouette_width, "ridges": self.ridge_width,
+                "valleys": self.valley_width, "intersections": self.intersection_width,
+            },
+            texture=self.texture,
+            texture_length=self.texture_length,
+            textured=("silhouettes",) if self.texture_on == "silhouettes" else None,
+        )  # fmt: skip
+        yield Lines(layer.bodies, wanted, medium)

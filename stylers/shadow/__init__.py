@@ -10,29 +10,26 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from importlib.resources import files
 from math import cos, radians, sin
 from typing import ClassVar
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import Actions, MeshShader, Pass, Primitives, State, Stencil
-from glshim.styling.protocol import Colour, Layer, Styler, Uniform, option
-from glshim.styling.values import Body, Place
-from stylers import options
+from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.values import Body, Place, Uniform
+from stylers.shared import options
 
-_HERE = files(__package__)
-_VOLUME = (_HERE / "volume.glsl").read_text("utf-8")
 _LIT = 255
 """The stencil of what no volume holds: what it begins with. Counts wrap round it."""
 
 
-def _shader(name: str, fragment: str) -> MeshShader:
-    texts = ((_HERE / file).read_text("utf-8") for file in (f"{name}.vert.glsl", fragment))
-    vertex, fragment = texts
-    return MeshShader(f"shadow {name}", _VOLUME + vertex, fragment)
+def _shader(name: str, fragment: str, *needs: str) -> MeshShader:
+    vertex = glsl(__file__, "volume", f"{name}.vert")
+    return MeshShader(f"shadow {name}", vertex, glsl(__file__, fragment), needs=needs)
 
 
-SIDES, SHADE = (_shader(name, "shade.frag.glsl") for name in ("sides", "shade"))
-CAPS, SURFACES = (_shader(name, "surface.frag.glsl") for name in ("caps", "surfaces"))
+SIDES, SHADE = _shader("sides", "shade.frag", "light"), _shader("shade", "shade.frag")
+CAPS, SURFACES = (_shader(name, "surface.frag", "light") for name in ("caps", "surfaces"))
 
 _COUNT = Stencil(front=("keep", "decrease", "keep"), back=("keep", "increase", "keep"))
 _VOLUME_STATE = State(depth="less", writes_colour=False, clamps=True, stencil=_COUNT)
@@ -53,7 +50,7 @@ class Shadow(Styler):
     name: ClassVar[str] = "shadow"
 
     darkness: float = option(0.5, help="share of the tint in shadows", low=0.0, high=1.0)
-    tint: Colour = option("#000000", help="colour of shadows")  # noqa: RUF009
+    tint: Colour = option("#000000", help="colour of shadows")
     light: str = option(
         "app",
         help="where it comes from: the program's GL_LIGHT0 (where that shines from the viewer, as "
@@ -77,7 +74,7 @@ class Shadow(Styler):
         "them, which hides the steps of coarse meshes, or in shadow",
         choices=("app", "shadow"),
     )
-    fill: str | Colour = options.fill()  # noqa: RUF009
+    fill: str | Colour = options.fill()
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Volumes into the stencil, then the shade; where bodies do not shadow themselves, for

@@ -6,33 +6,34 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.media.hand import hand
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers import options
-from stylers.hand import Hand, strokes
-from stylers.hand.hatching import Hatching, hatched
-from stylers.hand.paper import Paper, under
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from stylers.shared import options
+from stylers.shared.hand import ByHand, strokes
+from stylers.shared.hand.hatching import Hatching, hatched
+from stylers.shared.hand.paper import Paper, under
 
 
 @dataclass(frozen=True)
-class Sketch(Styler):
+class Sketch(ByHand):
     """Jittered pencil strokes, hatched by the light, on paper (NPRQuake)."""
 
     name: ClassVar[str] = "sketch"
 
     width: float = option(2.0, help="width of a stroke", low=0.5, high=32.0, unit="px")
     opacity: float = option(0.25, help="of one stroke", low=0.02, high=1.0)
-    strokes: float = option(6.0, help="how often each line is drawn", low=1.0, high=16.0)
+    strokes: int = option(6, help="how often each line is drawn", low=1, high=16)
     jitter: float = option(1.6, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
     hatching: float = option(0.8, help="of dark places", low=0.0, high=1.0)
     boil: float = options.boil()
-    seed: float = options.seed()
+    seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#1b1b1e", help="colour of the strokes")  # noqa: RUF009
-    paper: Colour = option("#faf8f2", help="colour of the paper")  # noqa: RUF009
+    ink: Colour = option("#1b1b1e", help="colour of the strokes")
+    paper: Colour = option("#faf8f2", help="colour of the paper")
     tint: float = option(0.3, help="how much of the app's own colours", low=0.0, high=1.0)
 
     @property
@@ -50,11 +51,8 @@ class Sketch(Styler):
             ),
             layer,
         )  # fmt: skip
-        hand = Hand(
-            self.crease_angle, (self.width, self.width), (self.ink, self.ink),
-            strokes=round(self.strokes), opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, boil=self.boil,
-            scale=layer.scale, intersections=self.intersections, seed=round(self.seed),
-            tolerance=self.tolerance,
+        medium = hand(
+            self.width, self.ink, opacity=self.opacity, wobble=self.jitter,
+            overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, scale=layer.scale,
         )  # fmt: skip
-        yield from strokes(hand, layer)
+        yield from strokes(self.hand(medium, self.strokes), layer)

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from importlib.resources import files
-from typing import ClassVar
+from typing import Any, ClassVar, cast
 
 from glshim.model.lights import Light
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, Uniform, option
-from stylers import options
-from stylers.crossings import crossings, is_dense
-from stylers.edge_mesh import EdgeMesh
-from stylers.edge_mesh.tones import tone_passes
-from stylers.shading import (
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.values import Uniform
+from stylers.shared import options
+from stylers.shared.features import feature_lines
+from stylers.shared.intersections import intersection_lines, is_dense
+from stylers.shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
     by_light,
@@ -28,10 +28,9 @@ from stylers.shading import (
     lit_passes,
     screen_shader,
 )
+from stylers.shared.tones import tone_passes
 
-_SHADER = screen_shader(
-    "gooch", (files(__package__) / "gooch.frag.glsl").read_text("utf-8"), bent=NEAR_ENOUGH
-)
+_SHADER = screen_shader("gooch", glsl(__file__, "gooch.frag"), bent=NEAR_ENOUGH)
 _WHITE: Colour = (1.0, 1.0, 1.0)
 
 
@@ -58,16 +57,16 @@ class Technical(Styler):
         "fixed", help="where warm tones face: upper left of the viewer, or the app's first light",
         choices=("fixed", "app"),
     )  # fmt: skip
-    paint: str | Colour = option(  # noqa: RUF009
+    paint: str | Colour = option(
         "app", help="what surfaces are painted with: the app's colours, or one",
         choices=("app",), colour=True,
     )  # fmt: skip
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
-    paper: str | Colour = options.paper(_WHITE)  # noqa: RUF009
+    paper: str | Colour = options.paper(_WHITE)
     outline_width: float = option(2.5, help="width of outlines", low=0.5, high=64.0, unit="px")
     line_width: float = option(1.0, help="width of the other lines", low=0.5, high=64.0, unit="px")
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
+    ink: Colour = option("#000000", help="colour of the lines")
     white_edges: bool = option(
         False, help="ridges that are seen in white, as light catches them, not in ink"
     )
@@ -109,34 +108,26 @@ class Technical(Styler):
             lamps = lamp_uniforms((self._lamp(layer),), lens)
             yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
         yield from tone_passes("app", self.paper, self.ink, layer)
-        for lines in (self._inner(layer), self._outlines):
-            yield from lines.draws(layer)
-        yield from crossings(self.intersections, layer, self.line_width, self.ink)
+        yield from self._fine_lines(layer)
+        yield from feature_lines(
+            layer, self.ink, outlines=self.outline_width, open_sides=self.outline_width,
+            tolerance=self.tolerance,
+        )  # fmt: skip
+        yield from intersection_lines(self.intersections, layer, self.line_width, self.ink)
 
     def _lamp(self, layer: Layer) -> Light:
         given = layer.lighting.lights if layer.lighting is not None else ()
         return given[0] if given and self.light == "app" else UPPER_LEFT
 
-    def _inner(self, layer: Layer) -> EdgeMesh:
-        """Fine lines, which go on where they are hidden: of outlines, too."""
+    def _fine_lines(self, layer: Layer) -> Iterable[Lines]:
+        """Lines that go on where they are hidden: of outlines, too."""
         hidden = self.hidden
         if hidden == "auto":
             hidden = "none" if is_dense(layer) else "dashed"
-        ridge_ink = _WHITE if self.white_edges else self.ink
-        ridge, valley = options.folds(self.crease_angle)
-        return EdgeMesh(
-            ridge_angle=ridge, valley_angle=valley,
-            contour_width=self.line_width, boundary_width=self.line_width,
-            ridge_width=self.line_width, valley_width=self.line_width,
-            contour_ink=self.ink, boundary_ink=self.ink, ridge_ink=ridge_ink, valley_ink=self.ink,
-            hidden=hidden, hidden_share=self.hidden_share, tolerance=self.tolerance,
-            contours=hidden != "none",
-        )  # fmt: skip
-
-    @property
-    def _outlines(self) -> EdgeMesh:
-        return EdgeMesh(
-            ridges=False, valleys=False, contour_width=self.outline_width,
-            boundary_width=self.outline_width, contour_ink=self.ink, boundary_ink=self.ink,
-            tolerance=self.tolerance,
+        width = self.line_width
+        return feature_lines(
+            layer, self.ink, outlines=width if hidden != "none" else None, open_sides=width,
+            creases=width, crease_angle=self.crease_angle,
+            ridge_colour=_WHITE if self.white_edges else None, hidden=cast(Any, hidden),
+            hidden_share=self.hidden_share, tolerance=self.tolerance,
         )  # fmt: skip

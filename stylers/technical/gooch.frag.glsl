@@ -1,5 +1,5 @@
 // What:   tones from cool to warm by the way that a surface faces the light.
-// Inputs: pixel.glsl, lamps.glsl (stylers/shading), of which there is one.
+// Inputs: pixel.glsl, lamps.glsl (stylers/shared/shading), of which there is one.
 // Source: A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for
 //         Automatic Technical Illustration", SIGGRAPH 1998, equations 1 to 4. Numpy reference:
 //         glshim/model/lights.py.

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.protocol import BackFaces, Colour, Layer, Styler, option
-from stylers import options
+from stylers.shared import options
 
 
 @dataclass(frozen=True)
@@ -28,8 +28,8 @@ class TwoPass(Styler):
         "driver draws them", low=1.0, high=64.0, unit="px",
     )  # fmt: skip
     smooth: bool = option(True, help="lines with smooth edges (GL_LINE_SMOOTH)")
-    ink: Colour = option("#000000", help="colour of the lines")  # noqa: RUF009
-    fill: str | Colour = options.fill("the front faces")  # noqa: RUF009
+    ink: Colour = option("#000000", help="colour of the lines")
+    fill: str | Colour = options.fill("the front faces")
 
     @property
     def surface(self) -> str | Colour:

@@ -34,7 +34,7 @@ class Unsieved(Styler):
     """A style whose shaders run over every element."""
 
     name: ClassVar[str] = "unsieved"
-    style: Styler = Fins()  # noqa: RUF009
+    style: Styler = Fins()  # noqa: RUF009 (frozen)
 
     @property
     def wants_normals(self) -> bool:

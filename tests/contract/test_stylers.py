@@ -14,7 +14,7 @@ from glshim.checks.finding import Check, finding
 from glshim.checks.layers import usual
 from glshim.styling import registry
 from glshim.styling.protocol import Styler
-from stylers.strokes import MADE
+from glshim.styling.textures import MADE
 
 
 @pytest.fixture(params=registry.names())

@@ -19,7 +19,6 @@ from tests import look
 from tests.decision.folds import VARIANTS
 from tests.decision.sweep import DISTANCES, SIZE
 from tests.decision.table import COUNTS, Row, all_angles, document, markdown, quick_angles, row
-from tests.styles import KNOWN
 
 
 def main() -> int:
@@ -42,9 +41,6 @@ def main() -> int:
         backend = Backend.attach()
         print(markdown([], header=True), flush=True)
         for kind, threshold in asked:
-            if kind == "valley" and "valleys" not in KNOWN:
-                print("(this raskar draws no valleys)")
-                continue
             angles = quick_angles(threshold) if options.quick else all_angles(threshold)
             for variant in options.variant:
                 for distance in DISTANCES:

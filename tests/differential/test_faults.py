@@ -17,7 +17,8 @@ from OpenGL.GL import glBegin, glCallList, glColor3f, glEnd, glVertex3f, glVerte
 import glshim
 from glshim.bindings.pyopengl import forward
 from glshim.errors import StyleError
-from glshim.styling.protocol import Layer, Lines, Medium, Styler
+from glshim.styling.lines import Medium
+from glshim.styling.protocol import Layer, Lines, Styler
 
 from .scenes_immediate import shade, spiral
 from .scenes_lists import recorded

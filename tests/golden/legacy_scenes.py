@@ -15,9 +15,10 @@ from OpenGL import GL
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
+from glshim.styling.media.hand import hand, outlines
 from glshim.styling.protocol import Layer, Styler
-from stylers.hand import Hand, strokes
 from stylers.raskar import Raskar
+from stylers.shared.hand import Hand, strokes
 from tests import look
 
 PORT = (0, 0, 400, 400)
@@ -56,12 +57,11 @@ def scenes():
             lens = look.orthographic() if k % 2 else LENS
             camera = Camera(look.look_at(5 * direction), lens, PORT, front_ccw=name != "teapot")
             yield f"{name} {k}", style, ((mesh, camera),)
-    black = ((0.0, 0.0, 0.0),) * 2
-    hand = Hand(60.0, (5.0, 3.0), black, taper=30.0, tip=80.0)
+    drawing = Hand(60.0, hand(3.0, widths=outlines(5.0), taper=30.0, tip=80.0))
     for name, mesh in (("cube", look.cube()), ("star", star()), ("cylinder", look.cylinder())):
         for k, direction in enumerate(look.directions(3)):
             camera = Camera(look.look_at(5 * direction), LENS, PORT)
-            yield f"{name} by hand {k}", ByHand(hand), ((mesh, camera),)
+            yield f"{name} by hand {k}", ByHand(drawing), ((mesh, camera),)
     near = Camera(look.look_at((1.3, 0.95, 0.3), (0.0, 0.4, 0.2)), look.perspective(75, near=0.05),
                   PORT)  # fmt: skip
     yield "inside a cube", style, ((look.cube(), near),)

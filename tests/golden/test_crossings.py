@@ -17,9 +17,10 @@ from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.frame.laying import triangles as fans
 from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.spec.driver import gl
-from glshim.styling.protocol import Layer, Lines, Medium
+from glshim.styling.lines import Medium
+from glshim.styling.media.ink import SHADER
+from glshim.styling.protocol import Layer, Lines
 from glshim.styling.wishes import Choice
-from stylers.raskar import SHADER
 from tests import look
 
 SIZE = 400

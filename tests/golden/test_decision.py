@@ -11,7 +11,6 @@ from tests import look
 from tests.decision.folds import VARIANTS
 from tests.decision.sweep import BROKEN, DISTANCES, NONE, SIZE, WHOLE, classify
 from tests.decision.table import COUNTS, quick_angles, row
-from tests.styles import KNOWN
 
 ASKED = [("ridge", 120.0), ("valley", 240.0), ("ridge", 200.0), ("valley", 181.0)]
 
@@ -26,8 +25,6 @@ def backend():
 @pytest.mark.parametrize(("kind", "threshold"), ASKED)
 def test_no_wrong_decision_and_no_line_in_part(backend, kind, threshold, variant):
     """A seeded part of the sweep, both sides of the threshold among it."""
-    if f"{kind}s" not in KNOWN:
-        pytest.skip(f"no {kind}s")
     for distance in DISTANCES:
         found = row(backend, kind, threshold, variant, distance, quick_angles(threshold), 30)
         counts = {name: getattr(found, name) for name in COUNTS}

@@ -13,21 +13,29 @@ from PIL import Image
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
+from glshim.styling.media.hand import hand
 from glshim.styling.protocol import Layer, Styler
+from glshim.styling.textures.brushes import BRUSHES, brush
 from glshim.styling.wishes import Pattern
 from stylers.brush import Brush
 from stylers.edge_mesh import EdgeMesh
-from stylers.hand import Hand, strokes
 from stylers.pencil import Pencil
+from stylers.shared.hand import Hand, strokes
 from stylers.sketch import Sketch
-from stylers.strokes.brushes import BRUSHES, brush
 from tests import coherence, look
 from tests.golden.test_legacy import widened
 
 SIZE = 400
-PLAIN = Hand(60.0, (2.0, 2.0), ((0.0, 0.0, 0.0),) * 2)
+
+
+def plain(width=2.0, **changed):
+    """A hand with a medium that does as it is told."""
+    return Hand(60.0, hand(width, **changed))
+
+
+PLAIN = plain()
 """Lines of two pixels that do not stray, swell or overshoot."""
-MOVED = replace(PLAIN, wobble=2.0, pressure=0.3, taper=10.0)
+MOVED = plain(wobble=2.0, pressure=0.3, taper=10.0)
 STYLES = (Sketch(), Brush(), Pencil())
 
 
@@ -131,9 +139,9 @@ def test_the_motion_of_a_hand_lies_on_a_turning_object_as_patterns_do(_window, t
 def test_strokes_over_each_other_cover_as_sheets_do(backend, count, opacity):
     """Where they coincide: 1 - (1 - a)^n, to the rounding of each sheet."""
     item = look.cube(), VIEWS[0]
-    one = by_hand(backend, replace(PLAIN, widths=(5.0, 5.0)), item)
-    hand = replace(PLAIN, widths=(5.0, 5.0), strokes=count, opacity=opacity)
-    found = by_hand(backend, hand, item)
+    one = by_hand(backend, plain(5.0), item)
+    often = replace(plain(5.0, opacity=opacity), strokes=count)
+    found = by_hand(backend, often, item)
     full = one > 0.999
     assert full.sum() > 1000
     assert found[full] == pytest.approx(1.0 - (1.0 - opacity) ** count, abs=0.012)
@@ -167,7 +175,8 @@ def test_strokes_go_on_beyond_corners_as_far_as_they_say(backend):
     assert none[: corner - 3].max() == 0.0
     longest = []
     for seed in range(5):
-        ink = by_hand(backend, replace(PLAIN, overshoot=20.0, overshoot_share=1.0, seed=seed), item)
+        beyond = replace(plain(overshoot=20.0, overshoot_share=1.0), seed=seed)
+        ink = by_hand(backend, beyond, item)
         assert (ink[none > 0.9] > 0.9).all()
         below = np.flatnonzero(ink[:corner].max(axis=1) > 0.3)
         beside = np.flatnonzero(ink[:, :corner].max(axis=0) > 0.3)
@@ -185,8 +194,8 @@ def test_strokes_go_on_beyond_corners_as_far_as_they_say(backend):
 def test_loops_have_no_end_to_go_beyond(backend):
     """The outline of a sphere."""
     item = look.sphere(48, 24), VIEWS[1]
-    plain = by_hand(backend, PLAIN, item)
-    assert np.array_equal(by_hand(backend, replace(PLAIN, overshoot=30.0, taper=40.0), item), plain)
+    still = by_hand(backend, PLAIN, item)
+    assert np.array_equal(by_hand(backend, plain(overshoot=30.0, taper=40.0), item), still)
 
 
 def test_a_hand_strays_by_as_much_as_it_says(backend):
@@ -201,7 +210,7 @@ def test_a_hand_strays_by_as_much_as_it_says(backend):
     steady = radii(PLAIN)
     assert np.ptp(steady) < 4.0
     for wobble in (3.0, 8.0):
-        strayed = radii(replace(PLAIN, wobble=wobble)) - steady.mean()
+        strayed = radii(plain(wobble=wobble)) - steady.mean()
         assert 0.4 * wobble < strayed.max() < 1.3 * wobble + 2.0
         assert -0.4 * wobble > strayed.min() > -1.3 * wobble - 2.0
         assert abs(strayed.mean()) < 0.4 * wobble

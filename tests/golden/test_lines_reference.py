@@ -1,6 +1,6 @@
 """The GPU's strokes are the numpy reference's, and the reference is the paper's geometry.
 
-On OpenGL 2.1 the reference itself is what is drawn (`stylers.raskar.expansion`).
+On OpenGL 2.1 the reference itself is what is drawn (`glshim.styling.media.ink_expansion`).
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from glshim.outputs.gl.frame.cameras import turned
 from glshim.outputs.gl.frame.canvas import Canvas
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.driver import gl
+from glshim.styling.media.ink import SHADER
+from glshim.styling.media.ink_expansion import expand
 from glshim.styling.wishes import Choice
-from stylers.raskar import SHADER
-from stylers.raskar.expansion import expand
 from tests import look
 from tests.captured import CapturingPen
 

@@ -14,7 +14,7 @@ from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Lines
 from stylers.cartoon import Cartoon
 from stylers.hiddenline import HiddenLine
-from stylers.shading import UPPER_LEFT
+from stylers.shared.shading import UPPER_LEFT
 from stylers.technical import Technical
 from tests import look
 

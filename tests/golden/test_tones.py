@@ -13,9 +13,10 @@ from PIL import Image
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.styling.protocol import Layer, parse_colour
+from glshim.styling.colours import parse_colour
+from glshim.styling.protocol import Layer
 from stylers.edge_mesh import EdgeMesh
-from stylers.edge_mesh.tones import TONES, tone_passes
+from stylers.shared.tones import TONES, tone_passes
 from tests import look
 
 CAMERA = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))

@@ -21,7 +21,7 @@ def styler_of_the_page() -> str:
 
 
 GOOD = styler_of_the_page()
-RETURN = "        return [Pass(GLOW"
+RETURN = "        return [Pass(layer.bodies"
 BEFORE = "    def draws(self"
 
 
@@ -98,12 +98,12 @@ def test_a_fault_is_found_and_told(
     [
         ("class Glow(Styler)", "class Glow(Styler", "my_style.py:1"),
         ("class Glow(Styler)", "class Glw(Styler)", "there is no class 'Glow': did you mean Glw?"),
-        ("class Glow(Styler)", "class Glow", "Glow is no styler: derive it from glshim.Styler"),
-        ("@dataclass(frozen=True)", "", "is no dataclass: write @dataclass(frozen=True)"),
+        ("class Glow(Styler)", "class Glow", "Glow is not a styler: derive it from glshim.Styler"),
+        ("@dataclass(frozen=True)", "", "is not a dataclass: write @dataclass(frozen=True)"),
         ("@dataclass(frozen=True)", "@dataclass", "cannot inherit non-frozen dataclass"),
         ('    name: ClassVar[str] = "glow"\n', "", 'has no name: write name: ClassVar[str] = '),
         ("def draws(", "def drawn(", "has no method draws(self, layer)"),
-        (BEFORE, "    count: int = 3\n" + BEFORE, "has a field 'count' that is no option"),
+        (BEFORE, "    count: int = 3\n" + BEFORE, "has a field 'count' that is not an option"),
         (BEFORE, "    count: int\n" + BEFORE, "non-default argument 'count' follows"),
         ("option(2.0,", "option(20.0,", "'sharpness' whose default is not allowed: sharpness=20"),
         ("option(2.0, help", "option(2.0, hlep", "TypeError: option() "),
@@ -137,7 +137,7 @@ def test_a_file_that_holds_no_styler_gives_one_line_with_its_place(
         ("my_style.py:Glow:sharpness=30", "sharpness=30.0 is not allowed: give 0.5..8"),
         ("my_style.py:Glow:sharpness", "has no value: write sharpness=2"),
         ("my_style.py:Styler", "Styler has no name"),
-        ("my_style.py:dataclass", "dataclass is no styler"),
+        ("my_style.py:dataclass", "dataclass is not a styler"),
     ],
 )
 def test_a_wrong_text_gives_one_clear_line(tmp_path: Path, text: str, says: str) -> None:

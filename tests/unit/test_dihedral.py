@@ -19,13 +19,14 @@ from glshim.linework.polygon_lines import lines
 from glshim.model.camera import Camera
 from glshim.model.dihedral import GRAIN, crease_limits, is_ridge, is_valley
 from glshim.model.lines import RIDGE, VALLEY, kind_of
+from glshim.styling.media.hand import hand
 from glshim.styling.values import Layer
 from glshim.styling.wishes import Choice
 from stylers.edge_mesh import EdgeMesh
-from stylers.hand import Hand
-from stylers.hand import features as features_of_hand
-from stylers.options import folds
 from stylers.raskar import Raskar
+from stylers.shared.hand import Hand
+from stylers.shared.hand import features as features_of_hand
+from stylers.shared.options import folds
 from stylers.technical import Technical
 from tests import look
 
@@ -156,13 +157,14 @@ def test_the_rule():
 
 @pytest.mark.parametrize("offset", OFFSETS)
 def test_a_crease_angle_includes_its_folds_to_either_side(offset):
-    hand = features_of_hand(Hand(40.0, (1.0, 1.0), ((0, 0, 0), (0, 0, 0))))
-    cad = Technical(crease_angle=40.0)._inner(Layer(()))
+    by_hand = features_of_hand(Hand(40.0, hand()))
+    (fine, *_) = Technical(crease_angle=40.0, paper="app").draws(Layer(()))
+    cad = fine.wanted
     drawn_from = np.radians(40.0 + offset)
     expected = offset > 0 or abs(offset) < degrees(GRAIN)
     for ridge, valley in (
-        (hand.ridge_angle, hand.valley_angle),
-        (np.radians(cad.ridge_angle), np.radians(cad.valley_angle)),
+        (by_hand.ridge_angle, by_hand.valley_angle),
+        (cad.ridge_angle, cad.valley_angle),
     ):
         assert is_ridge(np.pi - drawn_from, ridge) == is_valley(np.pi + drawn_from, valley)
         assert is_ridge(np.pi - drawn_from, ridge) == expected
@@ -176,5 +178,5 @@ def test_what_lies_in_a_plane_is_no_valley_at_a_crease_angle_of_nothing():
 
 def test_an_angle_of_nothing_asks_for_no_ridge():
     camera = view()
-    found = one_part(as_one(60.0), camera.modelview, camera, Choice(False, 0.0))
+    found = one_part(as_one(60.0), camera.modelview, camera, Choice(ridge_angle=0.0))
     assert not len(found)

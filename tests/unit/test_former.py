@@ -25,6 +25,7 @@ from glshim import (
     Shader,
     Sieve,
     State,
+    StyleError,
     Weld,
     notices,
     parse_style,
@@ -115,6 +116,17 @@ def test_a_whole_styler_of_then(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert said(capsys).count("\n") == 2
 
 
+def test_a_light_is_given_to_what_needs_one() -> None:
+    lit = MeshShader("lit", "", "", needs=("light",))
+    with pytest.raises(StyleError, match=r"light=layer\.light, or light=HEADLIGHT"):
+        Pass(BODIES, lit, "surface")
+    assert Pass(BODIES, lit, "surface", light=HEADLIGHT).light == (0.0, 0.0, 1.0, 0.0)
+    with pytest.raises(StyleError, match=r"shader 'x' needs 'app_color': did you mean app_colour"):
+        MeshShader("x", "", "", needs=("app_color",))
+    shown = MeshShader("shown", "void main() { rest(1); }", "uniform sampler2D app_colour;")
+    assert shown.needs == {"app_colour", "rest"}
+
+
 def test_bodies_keep_the_order_of_drawing() -> None:
     from glshim.styling.values import in_order
 
@@ -125,3 +137,31 @@ def test_bodies_keep_the_order_of_drawing() -> None:
     assert in_order(layer.bodies) == list(layer.items)
     assert in_order(layer.bodies[:1]) == [(first, one), (third, one)]
     assert layer.bodies is layer.bodies
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("from glshim.styling.protocol import Draw, Layer", "write from glshim import Draw, Layer"),
+        ("from glshim.geometry.strokes.lines import Choice", "write from glshim import Choice"),
+        ("from glshim.geometry.strokes.chains import Pattern", "write from glshim import Pattern"),
+        ("from glshim.geometry.strokes.feature_lines import Features as F",
+         "write from glshim import Features"),
+        ("from glshim.assembly.batch import PolygonBatch", "write from glshim import PolygonBatch"),
+        ("import glshim.geometry.camera",
+         "what was glshim.geometry.camera is in glshim.model.camera now"),
+        ("from glshim.geometry.strokes.lines import RECORD", "is in glshim.model.lines now"),
+        ("from glshim.render.passes.runner import Runner", "is in glshim.outputs.gl now"),
+        ("from stylers.strokes import made", "is in glshim.styling.textures now"),
+        ("from glshim.gone import away", "what stylers need is imported from glshim itself"),
+        ("import elsewhere", "No module named 'elsewhere'"),
+    ],
+)  # fmt: skip
+def test_an_import_of_then_is_told_what_it_is_now(tmp_path: Path, line: str, says: str) -> None:
+    (tmp_path / "old.py").write_text(f"import glshim\n{line}\n")
+    with pytest.raises(StyleError) as caught:
+        parse_style("old.py:Old", str(tmp_path))
+    told = str(caught.value)
+    assert told.startswith(f"{tmp_path / 'old.py'}:2: ")
+    assert says in told and "\n" not in told
+    assert ("glshim" in told) == ("elsewhere" not in told)

@@ -11,8 +11,9 @@ from glshim.errors import StyleError
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.outward import outward
 from glshim.model.camera import Camera
+from glshim.styling.options import options_of
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Layer, options_of
+from glshim.styling.protocol import Layer
 from glshim.styling.values import Body
 from stylers.fur import Fur
 from stylers.fur.scale import scale_of

@@ -12,15 +12,16 @@ from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import descriptions, registry
-from glshim.styling.protocol import Option, Styler, options_of
+from glshim.styling.options import Option, options_of
+from glshim.styling.protocol import Styler
 from glshim.styling.registry import looks
 from glshim.styling.texts import (
     name_of,
     parse_style,
     split_styles,
 )
+from glshim.styling.textures import MADE
 from stylers.raskar import Raskar
-from stylers.strokes import MADE
 
 
 def test_a_name_gives_the_defaults() -> None:

@@ -13,7 +13,7 @@ from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
 from glshim.running.shots.shooter import enlarged
 from glshim.styling import registry
-from glshim.styling.protocol import options_of
+from glshim.styling.options import options_of
 
 SIDES = st.integers(1, 9000)
 

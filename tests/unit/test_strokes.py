@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from glshim.styling import textures as strokes
 from glshim.styling.pictures import read_image
-from stylers import strokes
-from stylers.strokes import MADE, made
+from glshim.styling.textures import MADE, made
 
 WIDTHS = (0.5, 1.0, 2.5, 6.0, 12.0, 20.0, 33.3, 64.0)
 DRAWN = ("pen", "charcoal", "watercolour", "cartoon_fur")
@@ -158,7 +158,7 @@ def test_the_command_writes_them_black_on_white(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "argv", ["strokes", str(tmp_path / "out"), "20"])
-    runpy.run_module("stylers.strokes", run_name="__main__")
+    runpy.run_module("glshim.styling.textures", run_name="__main__")
     for name in MADE:
         path = tmp_path / "out" / f"{name}.png"
         picture = read_image(str(path))  # as the option `texture` would take it

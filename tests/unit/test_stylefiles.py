@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from glshim.errors import StyleError
 from glshim.styling import registry
-from glshim.styling.protocol import options_of, parse_colour
+from glshim.styling.colours import parse_colour
+from glshim.styling.options import options_of
 from glshim.styling.stylefiles import StyleFile, features, find
 from glshim.styling.texts import parse_style
 from stylers.edge_mesh import EdgeMesh

@@ -10,16 +10,9 @@ import pytest
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
-from glshim.styling.protocol import (
-    Colour,
-    Layer,
-    Lines,
-    Styler,
-    format_colour,
-    option,
-    options_of,
-    parse_colour,
-)
+from glshim.styling.colours import format_colour, parse_colour
+from glshim.styling.options import options_of
+from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 
 
 @dataclass(frozen=True)
@@ -27,8 +20,8 @@ class Sample(Styler):
     name: ClassVar[str] = "sample"
     width: float = option(3.0, help="w", low=1, high=9, unit="px")
     on: bool = option(True, help="o")
-    ink: Colour = option("#ff8000", help="i")  # noqa: RUF009
-    fill: str | Colour = option("app", help="f", choices=("app", "none"), colour=True)  # noqa: RUF009
+    ink: Colour = option("#ff8000", help="i")
+    fill: str | Colour = option("app", help="f", choices=("app", "none"), colour=True)
     mode: str = option("a", help="m", choices=("a", "b"))
 
     def draws(self, layer: Layer) -> Iterable[Lines]:
@@ -99,3 +92,31 @@ def test_registry_finds_our_own_and_suggests():
     with pytest.raises(UnknownNameError, match="raskar") as caught:
         registry.load("rascar")
     assert caught.value.matches == ("raskar",)
+
+
+@dataclass(frozen=True)
+class Counting(Styler):
+    name: ClassVar[str] = "counting"
+    strokes: int = option(3, help="s", low=1, high=16)
+    width: float = option(3, help="w", low=1, high=16)
+
+    def draws(self, layer: Layer) -> Iterable[Lines]:
+        return ()
+
+
+def test_counts_are_whole_numbers():
+    strokes, width = options_of(Counting)
+    assert (strokes.kind, width.kind) == ("integer", "number")
+    assert (strokes.allowed, width.allowed) == ("1..16, whole", "1..16")
+    for given in (4, 4.0):
+        made = Counting(strokes=given)
+        assert (made.strokes, type(made.strokes)) == (4, int)
+    assert [strokes.parse(text) for text in ("2", "2.0", "2e0")] == [2, 2, 2]
+    assert strokes.show(strokes.default) == "3"
+    assert type(Counting().width) is float and Counting(width=2.5).width == 2.5
+    for bad in ("2.5", "0", "17", "many", "nan", "inf"):
+        with pytest.raises(StyleError, match=r"strokes=.* is not allowed: give 1\.\.16, whole"):
+            strokes.parse(bad)
+    for value in (2.5, True, "3", float("nan")):
+        with pytest.raises(StyleError, match="strokes"):
+            Counting(strokes=value)

@@ -162,7 +162,7 @@ class Backend:
                 self._textures.bind(medium.image)
             scissor(camera, box)
             self.pen.draw(
-                records, camera, medium.shader, medium.uniforms, self._depth,
+                records, camera, medium.shader, group.uniforms, self._depth,
                 away=away, hair=hair_of(bits),
             )  # fmt: skip
         stencil(groups[0].camera)

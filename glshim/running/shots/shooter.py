@@ -35,7 +35,8 @@ from glshim.spec.constants import (
     GL_VIEWPORT,
 )
 from glshim.spec.driver import current_context, gl
-from glshim.styling.protocol import Styler, options_of
+from glshim.styling.options import options_of
+from glshim.styling.protocol import Styler
 from glshim.toolkits import frames
 
 _UNLIKE = 24

@@ -16,7 +16,8 @@ from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLES
 from glshim.spec.context import MODERN
 from glshim.spec.driver import gl
-from glshim.styling.protocol import Expansion, Shader, Uniform
+from glshim.styling.lines import Expansion, Shader
+from glshim.styling.values import Uniform
 
 _VERTEX, _FRAGMENT = shader_text("legacy.vert.glsl"), shader_text("depth.glsl")
 _TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}

@@ -16,7 +16,8 @@ from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLE_STRIP
 from glshim.spec.driver import gl
-from glshim.styling.protocol import Shader, Uniform
+from glshim.styling.lines import Shader
+from glshim.styling.values import Uniform
 
 _DEPTH = shader_text("depth.glsl")
 _LINE = shader_text("line.glsl", "window.glsl")

@@ -88,7 +88,7 @@ class Runner:
         depth."""
         deep = any(one.state.depth != "always" or one.state.writes_depth for one in passes)
         self._stage.open(box, deep=deep)
-        if any("app_colour" in one.shader.fragment for one in passes):
+        if any("app_colour" in (one.shader.needs or ()) for one in passes):
             self._colour.take(window, box)
         before = False
         views: dict[Hashable, dict[str, Any] | None] = {}
@@ -183,7 +183,7 @@ class Runner:
         elif one.pose is not None:
             program.set({"bones": one.pose.matrices.transpose(0, 2, 1)})
         if resident is not None:
-            if "rest(" in one.shader.vertex:
+            if "rest" in (one.shader.needs or ()):
                 self.residents.bind_rest(resident.mesh)  # first: it may upload where others lie
             resident.bind()
             if one.element in BY_INDEX and sieve is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from stylers.strokes.fields import Doubles, inside, places
+from glshim.styling.textures.fields import Doubles, inside, places
 
 
 def dotted(width: float, length: float) -> Doubles:

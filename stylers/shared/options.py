@@ -7,7 +7,12 @@ from typing import Any
 
 from glshim.model.dihedral import GRAIN
 from glshim.styling.protocol import Colour, option
-from stylers.strokes import MADE
+from glshim.styling.textures import MADE
+
+
+def colour(what: str) -> Any:
+    """The colour of some lines: black unless it is given."""
+    return option("#000000", help=f"colour of {what}")
 
 
 def fill(what: str = "the surfaces") -> Any:
@@ -21,7 +26,7 @@ def fill(what: str = "the surfaces") -> Any:
 
 
 def texture(lines: str) -> Any:
-    """``texture``: of lines, a word for those that have it; see `stylers.strokes.made`."""
+    """``texture``: of lines, a word for those that have it; see `glshim.styling.textures.made`."""
     return option(
         "none",
         help=f"what {lines} are drawn with; dark is ink in a grey picture, others keep colours",
@@ -49,7 +54,7 @@ def textures() -> Any:
 
 
 def shade_unlit() -> Any:
-    """``shade_unlit``, for `stylers.shading.by_light`."""
+    """``shade_unlit``, for `stylers.shared.shading.by_light`."""
     return option(
         "auto",
         help="what the app draws without lights: shaded by a light behind the viewer's shoulder, "
@@ -80,7 +85,7 @@ def tolerance(default: float = 1e-5) -> Any:
 
 
 def paper(default: Colour) -> Any:
-    """``paper``: see `stylers.edge_mesh.tones.tone_passes`."""
+    """``paper``: see `stylers.shared.tones.tone_passes`."""
     return option(
         default, help="what is behind the surfaces: as the app drew it, or paper of a colour",
         choices=("app",), colour=True,
@@ -88,7 +93,7 @@ def paper(default: Colour) -> Any:
 
 
 def intersections() -> Any:
-    """``intersections``, for `stylers.crossings.crossings`."""
+    """``intersections``, for `stylers.shared.intersections.crossings`."""
     return option(
         "auto",
         help="lines where polygons pass through each other, which costs drawing all of them twice; "
@@ -106,4 +111,4 @@ def boil() -> Any:
 
 def seed() -> Any:
     """``seed``, of what is drawn by hand."""
-    return option(0.0, help="a whole number: each draws with other motions", low=0.0, high=999.0)
+    return option(0, help="each draws with other motions", low=0, high=999)

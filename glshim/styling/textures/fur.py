@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from PIL import Image, ImageDraw
 
-from stylers.strokes.fields import Doubles, sharp
+from glshim.styling.textures.fields import Doubles, sharp
 
 _SEED = 1971
 _SPACING = 0.55

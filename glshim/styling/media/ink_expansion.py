@@ -1,4 +1,4 @@
-"""``raskar.vert.glsl`` on the CPU, for OpenGL before 3.3."""
+"""``ink.vert.glsl`` on the CPU, for OpenGL before 3.3."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from glshim.geometry import raskar
 from glshim.model.camera import Camera
-from glshim.styling.protocol import Expansion, Uniform
+from glshim.styling.lines import Expansion
+from glshim.styling.values import Uniform
 
 
 def expand(

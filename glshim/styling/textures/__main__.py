@@ -1,4 +1,4 @@
-"""``python -m stylers.strokes OUT [WIDTH]``: the textures of figure 6 of McGuire & Hughes 2004.
+"""``python -m glshim.styling.textures OUT [WIDTH]``: figure 6 of McGuire & Hughes 2004.
 
 Writes one PNG a texture, black on white paper, the outside on top, which the option `texture` takes
 as it is; and `sheet.png` with all of them at WIDTH pixels (48), one below the other.
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from stylers.strokes import MADE, made
+from glshim.styling.textures import MADE, made
 
 _ACROSS = 1024
 """Pixels across the sheet."""
@@ -39,7 +39,8 @@ def sheet(width: float) -> Image.Image:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="python -m stylers.strokes", description="Writes PNGs.")
+    program = "python -m glshim.styling.textures"
+    parser = argparse.ArgumentParser(prog=program, description="Writes PNGs.")
     parser.add_argument("out", type=Path, help="folder")
     parser.add_argument("width", type=float, nargs="?", default=48.0, help="of a line, in pixels")
     given = parser.parse_args()

@@ -4,7 +4,7 @@ Columns run along a stroke and tile, rows across it, the first on the outside, t
 inside (McGuire & Hughes 2004, section 4 and figure 6). Made for a width and a length in pixels: so
 dots are round, and the tooth of the paper is as coarse on wide lines as on fine ones.
 
-``python -m stylers.strokes OUT [WIDTH]`` writes them as PNGs to look at.
+``python -m glshim.styling.textures OUT [WIDTH]`` writes them as PNGs to look at.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from functools import lru_cache
 import numpy as np
 
 from glshim.styling.pictures import Image, is_coloured, read_image
-from stylers.strokes.fields import Doubles
-from stylers.strokes.fur import cartoon_fur
-from stylers.strokes.marks import dashed, dotted
-from stylers.strokes.media import charcoal, pen, watercolour
+from glshim.styling.textures.fields import Doubles
+from glshim.styling.textures.fur import cartoon_fur
+from glshim.styling.textures.marks import dashed, dotted
+from glshim.styling.textures.pens import charcoal, pen, watercolour
 
 _Make = Callable[[float, float], Doubles]
 

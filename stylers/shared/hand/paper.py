@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass
-from glshim.styling.protocol import Colour, Layer, Uniform
-from stylers.edge_mesh.tones import over_windows, tone_shader
+from glshim.styling.protocol import Colour, Layer
+from glshim.styling.values import Uniform
+from stylers.shared.tones import over_windows, tone_shader
 
 _UNDER = -2
 """The coat: hatching and strokes go over it."""
@@ -34,7 +35,7 @@ class Paper:
 
 @cache
 def _shader() -> MeshShader:
-    return tone_shader("paper", (files(__package__) / "under.frag.glsl").read_text("utf-8"))
+    return tone_shader("paper", glsl(__file__, "under.frag"))
 
 
 def under(paper: Paper, layer: Layer) -> Iterator[Pass]:

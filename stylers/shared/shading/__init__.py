@@ -8,17 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
-from importlib.resources import files
 from math import cos, isfinite, radians
 
 import numpy as np
 
 from glshim.geometry.crease.creases import Criterion
 from glshim.model.lights import Light
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Body, Layer, Uniform
+from stylers.shared.screen import SCREEN
 
-_HERE = files(__package__)
 UNDER = -1
 """The coat: lines go over it."""
 MOST_LAMPS = 8
@@ -34,11 +34,9 @@ UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
 """A light behind the viewer's left shoulder: it goes where the viewer goes."""
 
 
-def _text(name: str) -> str:
-    return (_HERE / name).read_text("utf-8")
-
-
-_BUFFER = MeshShader("surface buffer", _text("buffer.vert.glsl"), _text("buffer.frag.glsl"))
+_BUFFER = MeshShader(
+    "surface buffer", glsl(__file__, "buffer.vert"), glsl(__file__, "buffer.frag"), needs=()
+)
 
 
 def screen_shader(
@@ -46,8 +44,8 @@ def screen_shader(
 ) -> MeshShader:
     """A shader that lights each pixel: a fragment text that follows ``pixel.glsl`` and, with lamps,
     ``lamps.glsl``. bent: pixels by which quads that are not flat may miss their triangles."""
-    given = f"#define BENT {bent}\n" + _text("pixel.glsl") + (_text("lamps.glsl") if lamps else "")
-    return MeshShader(name, _text("screen.vert.glsl"), given + fragment)
+    given = f"#define BENT {bent}\n" + glsl(__file__, "pixel", *(("lamps",) if lamps else ()))
+    return MeshShader(name, SCREEN, given + fragment, needs=("app_colour", "gbuffer"))
 
 
 def lit_passes(

@@ -10,20 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache, lru_cache
-from importlib.resources import files
 
 import numpy as np
 
 from glshim.model.camera import Camera
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.pictures import Image
+from glshim.styling.textures.fields import Doubles, even, noise
 from glshim.styling.values import Body, Colour, Layer, Uniform
-from stylers.strokes.fields import Doubles, even, noise
+from stylers.shared.screen import SCREEN
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
 WHITE: Colour = (0.985, 0.975, 0.95)
 """The paper of tones where the background stays the app's."""
-_HERE = files(__package__)
 _SIDE = 512
 """Pixels after which the paper's grain repeats."""
 _STATE = State(depth="always", blend="off")
@@ -31,17 +31,16 @@ _UNDER = -1
 """The coat: lines go over it."""
 
 
-def _text(name: str) -> str:
-    return (_HERE / f"{name}.glsl").read_text("utf-8")
-
-
 def tone_shader(name: str, fragment: str) -> MeshShader:
     """A shader over the pixels of a window: a fragment text that follows ``tone.glsl``."""
-    return MeshShader(name, _text("recede.vert"), _text("tone") + fragment)
+    return MeshShader(
+        name, SCREEN, glsl(__file__, "tone") + fragment, needs=("app_colour",)
+    )
 
 
 _SHADERS = {
-    name: tone_shader(f"tone {name}", _text(f"tone_{name}.frag")) for name in ("app", *TONES)
+    name: tone_shader(f"tone {name}", glsl(__file__, f"tone_{name}.frag"))
+    for name in ("app", *TONES)
 }
 
 

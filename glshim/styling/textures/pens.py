@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from stylers.strokes.fields import MOST, Doubles, even, inside, noise, places
+from glshim.styling.textures.fields import MOST, Doubles, even, inside, noise, places
 
 _SEED = 2001
 

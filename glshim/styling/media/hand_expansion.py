@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from glshim.model.camera import Camera
 from glshim.model.lines import Line
 from glshim.model.vectors import unit
-from glshim.styling.protocol import Expansion, Uniform
-from stylers.raskar import expansion as raskar
+from glshim.styling.lines import Expansion
+from glshim.styling.media.ink_expansion import traced
+from glshim.styling.values import Uniform
 
 Doubles = NDArray[np.float64]
 
@@ -28,9 +29,10 @@ def expand(
     hair: float,
     blur: float,
 ) -> Expansion:
-    """The strips of `stylers.hand.shader`. Every pixel asks whether its line is seen."""
+    """The strips of the shader of `glshim.styling.media.hand`. Every pixel asks whether its line is
+    seen."""
     with np.errstate(all="ignore"):  # lines that are not drawn may divide by nothing
-        found = raskar.traced(records, camera, uniforms, hair=hair, blur=blur)
+        found = traced(records, camera, uniforms, hair=hair, blur=blur)
         drawn = found.drawn
         a, b = (end[drawn][:, :2] for end in (found.start, found.finish))
     rows, repeats, kind = records[drawn].astype(float), found.repeats[drawn], found.extent[drawn, 2]

@@ -1,5 +1,5 @@
 // What:   one line of a stroke, as a hand draws it, and a quad that holds it.
-// Inputs: the stroke (raskar/trace.glsl), the hand (hand.glsl).
+// Inputs: the stroke (trace.glsl), the hand (hand.glsl).
 //         Four vertices: a left, a right, b left, b right. Nowhere if nothing is seen.
 // Source: NPRQuake's lines; visibility as in Raskar 2001, of the line itself: what the hand strays
 //         is not tested, as NPRQuake draws with the depth test off.

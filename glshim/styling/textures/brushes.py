@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 
 from glshim.styling.pictures import Image, is_coloured, read_image
-from stylers.strokes.fields import MOST, Doubles, even, noise
+from glshim.styling.textures.fields import MOST, Doubles, even, noise
 
 _SEED = 2001
 _FINE = 2.0

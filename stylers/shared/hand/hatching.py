@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from math import floor, isfinite, radians
 
 from glshim.geometry.crease.creases import Criterion
+from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Colour, Layer, Uniform
-from stylers.edge_mesh.tones import grain
+from stylers.shared.tones import grain
 
 ON = -1
 """The coat: over the paper, under the lines."""
@@ -47,9 +47,8 @@ class Hatching:
 
 @cache
 def _shader() -> MeshShader:
-    here = files(__package__)
-    texts = ((here / f"hatch.{stage}.glsl").read_text("utf-8") for stage in ("vert", "frag"))
-    return MeshShader("hatch", *texts)
+    vertex, fragment = (glsl(__file__, f"hatch.{stage}") for stage in ("vert", "frag"))
+    return MeshShader("hatch", vertex, fragment, needs=("app_colour", "rest"))
 
 
 def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:

@@ -1,5 +1,5 @@
 // What:   the ink of one stroke of a hand.
-// Inputs: the stroke (raskar/stroke.glsl), the hand (hand.glsl); ink; a brush's picture.
+// Inputs: the stroke (stroke.glsl), the hand (hand.glsl); ink; a brush's picture.
 // Source: NPRQuake: sketch (translucent lines), blueprint (overshooting lines), brush (textured quads).
 
 uniform vec3 inks[GROUPS];

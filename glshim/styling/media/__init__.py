@@ -1,0 +1,1 @@
+"""What lines are drawn with: media that any styler may borrow, ink and what a hand holds."""

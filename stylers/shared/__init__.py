@@ -1,0 +1,1 @@
+"""What several styles have in common."""
