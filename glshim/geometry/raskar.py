@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.window import cut, window
+from glshim.model.arrays import Doubles, Flags, Floats
 from glshim.model.camera import Camera
 from glshim.model.lines import (
     CONTOUR,
@@ -38,9 +39,6 @@ from glshim.model.lines import (
     kind_of,
 )
 from glshim.model.vectors import dot, unit
-
-Doubles = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 INWARD = 0.5
 """Pixels by which the middle of a ring's inner rim lies under its object: the object's own rim is
@@ -79,7 +77,7 @@ class Strokes:
 
 
 def strokes(
-    records: NDArray[np.float32],
+    records: Floats,
     camera: Camera,
     *,
     widths: Sequence[float],

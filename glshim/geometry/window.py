@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from glshim.model.arrays import Doubles, Flags
 from glshim.model.camera import Camera
-
-Doubles = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 
 def cut(a: Doubles, b: Doubles, camera: Camera) -> tuple[list[Doubles], Flags, Flags]:

@@ -5,18 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.edges.edges import cell
 from glshim.geometry.window import cut, window
+from glshim.model.arrays import Complexes, Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera
 from glshim.model.vectors import unit
 from glshim.styling.wishes import Pattern
-
-Floats = NDArray[np.float32]
-Doubles = NDArray[np.float64]
-Indices = NDArray[np.intp]
-Flags = NDArray[np.bool_]
 
 _CELLS = ((1 << 20, 0.5), (1 << 18, 0.23), (1 << 16, 0.71))
 """Cells per axis in which ends count as one, and the shift of the cells, for each round."""
@@ -30,7 +25,7 @@ _LEAST = 0.5
 """Share of its sides' length that a loop has at least in its middle."""
 
 
-def link(a: Floats, b: Floats) -> Indices:
+def link(a: Floats, b: Floats) -> Rows:
     """(L,) for each side a to b (L, 3) the side that begins where it ends, -1 where none does.
 
     Of several the one that turns least.
@@ -68,15 +63,15 @@ class Walk:
     a pattern."""
     finish: Doubles
     """(L,) at b."""
-    stroke: Indices
+    stroke: Rows
     """(L,) number of the stroke; -1 without a pattern."""
     loop: Doubles
     """(L,) repeats around the stroke, if that is a loop; else 0."""
-    places: tuple[NDArray[np.complex128], NDArray[np.complex128]]
+    places: tuple[Complexes, Complexes]
     """(L,), (L,) both ends in the window, pixels."""
 
 
-def measure(a: Floats, b: Floats, group: Indices, camera: Camera, pattern: Pattern) -> Walk:
+def measure(a: Floats, b: Floats, group: Rows, camera: Camera, pattern: Pattern) -> Walk:
     """Lines a to b (L, 3) in eye space as strokes.
 
     group (L,): 0 silhouettes, which run on as they wind; others, which run on both ways. Lengths
@@ -115,7 +110,7 @@ def measure(a: Floats, b: Floats, group: Indices, camera: Camera, pattern: Patte
     return Walk(starts, finishes, strokes, loops, (places[0], places[1]))
 
 
-def _mates(a: Floats, b: Floats, *, directed: bool) -> Indices:
+def _mates(a: Floats, b: Floats, *, directed: bool) -> Rows:
     """(2 L,) for the ends of lines (a of line i is end 2i, b 2i + 1) the end of another line at the
     same place that goes on straightest, -1 where none does; each other's. directed: b on a only."""
     count = len(a)
@@ -151,8 +146,8 @@ def _mates(a: Floats, b: Floats, *, directed: bool) -> Indices:
 
 
 def _walked(
-    after: Indices, steps: NDArray[np.complex128], length: float, middle: float
-) -> tuple[Doubles, Doubles, Indices, Doubles]:
+    after: Rows, steps: Complexes, length: float, middle: float
+) -> tuple[Doubles, Doubles, Rows, Doubles]:
     """Of lines that run on as after says (each once at most, -1: ends), (L,) repeats of a pattern
     at the beginning and at the end of each, (L,) the stroke that it belongs to, from 0, and (L,)
     the repeats around that if it is a loop, else 0.
@@ -198,7 +193,7 @@ def _walked(
     return begin, begin + sizes * rate[stroke], stroke, loop
 
 
-def _heads(before: Indices) -> tuple[Indices, Flags]:
+def _heads(before: Rows) -> tuple[Rows, Flags]:
     """(L,) the first of each stroke, on a loop the least; and whether it is a loop."""
     back, least = before.copy(), np.arange(len(before))
     first = least.copy()
@@ -214,7 +209,7 @@ def _heads(before: Indices) -> tuple[Indices, Flags]:
     return np.where(closed, least, first), closed
 
 
-def _sums(before: Indices, values: Doubles) -> Doubles:
+def _sums(before: Rows, values: Doubles) -> Doubles:
     """(L,) the sum of values over all that come before each on its stroke; no loops."""
     back = before.copy()
     sums = np.where(back >= 0, values[back], 0.0)
@@ -227,7 +222,7 @@ def _sums(before: Indices, values: Doubles) -> Doubles:
         back[live] = back[there]
 
 
-def _first_of(stroke: Indices) -> Indices:
+def _first_of(stroke: Rows) -> Rows:
     """(S,) the least line of each stroke, of lines numbered twice."""
     least = np.full(int(stroke.max()) + 1, len(stroke))
     np.minimum.at(least, stroke, np.arange(len(stroke)))

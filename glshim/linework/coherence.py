@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 
 from glshim.geometry.window import window
 from glshim.linework.chains import Walk
+from glshim.model.arrays import Complexes, Doubles, Rows
 from glshim.model.camera import Camera
-from glshim.model.vectors import Doubles, dot, unit
+from glshim.model.vectors import dot, unit
 
-Indices = NDArray[np.intp]
-Places = NDArray[np.complex128]
 Objects = tuple[tuple[Hashable, Doubles], ...]
 """Name and modelview (4, 4) of each object."""
 
@@ -50,15 +49,15 @@ class Past:
 
     points: Doubles
     """(N, 3) eye space, of the frame's camera."""
-    along: Places
+    along: Complexes
     """(N,) unit direction in the window."""
     phase: Doubles
     """(N,) repeats of the pattern, modulo one."""
     pace: Doubles
     """(N,) repeats a pixel."""
-    group: Indices
+    group: Rows
     """(N,) of the lines."""
-    owner: Indices
+    owner: Rows
     """(N,) object, by number."""
     modelviews: tuple[Doubles, ...]
     """(4, 4) of each object."""
@@ -80,9 +79,9 @@ class Drawn:
     """(L, 3) where lines begin, eye space."""
     b: Doubles
     """(L, 3) where they end."""
-    group: Indices
+    group: Rows
     """(L,) of the lines."""
-    owner: Indices
+    owner: Rows
     """(L,) object of each, by number."""
     objects: Objects
 
@@ -159,7 +158,7 @@ class _Chain:
         self._forward = (walk.begin <= walk.finish)[order]
 
     def fitted(
-        self, line: Indices, share: Doubles, weight: Doubles, wanted: Places
+        self, line: Rows, share: Doubles, weight: Doubles, wanted: Complexes
     ) -> tuple[Doubles, Doubles]:
         """(L,), (L,) the shift at both ends of all lines, from the wanted shifts of samples, as
         complex numbers of size one."""
@@ -167,7 +166,7 @@ class _Chain:
         along = np.where(self._forward[row], share, 1.0 - share)
         low, high = self._from[row], self._to[row]
 
-        def gathered(values: Places) -> Places:
+        def gathered(values: Complexes) -> Complexes:
             """To the nodes: of samples, by how near they are."""
             parts = ((values.real, values.imag) for _ in (0, 1))
             out = np.zeros(self.count, complex)
@@ -176,7 +175,7 @@ class _Chain:
                 out += 1j * np.bincount(nodes, near * y, self.count)
             return out
 
-        def applied(z: Places) -> Places:
+        def applied(z: Complexes) -> Complexes:
             pull = self._spring * (z[self._to] - z[self._from])
             out = gathered(weight * ((1.0 - along) * z[low] + along * z[high])) + 1e-9 * z
             for nodes, sign in ((self._from, -1.0), (self._to, 1.0)):
@@ -201,7 +200,7 @@ class _Chain:
         return shifts[0], shifts[1]
 
 
-def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
+def _solved(applied: Callable[[Complexes], Complexes], right: Complexes) -> Complexes:
     """Conjugate gradients, as far as a phase needs."""
     z = np.zeros_like(right)
     rest = right.copy()
@@ -219,9 +218,9 @@ def _solved(applied: Callable[[Places], Places], right: Places) -> Places:
     return z
 
 
-def _sampled(drawn: Drawn, camera: Camera) -> tuple[Indices, Doubles, _Samples]:
+def _sampled(drawn: Drawn, camera: Camera) -> tuple[Rows, Doubles, _Samples]:
     """(N,) the line of each sample of a frame, (N,) how far along that in the window, 0..1, and
-    the samples. Places in the window are those of the points, to the last bit: a line in
+    the samples. Complexes in the window are those of the points, to the last bit: a line in
     perspective does not go by evenly."""
     line, share = _samples(drawn.walk)
     begin, step = drawn.a[line], (drawn.b - drawn.a)[line]
@@ -238,7 +237,7 @@ def _sampled(drawn: Drawn, camera: Camera) -> tuple[Indices, Doubles, _Samples]:
     return line, share[good], samples
 
 
-def _samples(walk: Walk) -> tuple[Indices, Doubles]:
+def _samples(walk: Walk) -> tuple[Rows, Doubles]:
     """(N,) the line of each sample and (N,) how far along, 0..1: every `_STEP` pixels of a stroke,
     however short its lines are."""
     on = np.flatnonzero(walk.stroke >= 0)
@@ -264,7 +263,7 @@ def _samples(walk: Walk) -> tuple[Indices, Doubles]:
 
 def _now(
     past: Past, objects: Objects, camera: Camera
-) -> tuple[Doubles, Places]:
+) -> tuple[Doubles, Complexes]:
     """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
     window; NaN where that is not known."""
     before = tuple(zip(past.names, past.modelviews, strict=True))
@@ -338,13 +337,13 @@ def kept_with(past: Past, pasts: tuple[Past, ...], before: Past | None) -> tuple
 class _Samples:
     points: Doubles
     """(N, 3) eye space."""
-    places: Places
+    places: Complexes
     """(N,) the window."""
-    along: Places
-    group: Indices
+    along: Complexes
+    group: Rows
 
 
-def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Indices:
+def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Rows:
     """(N,) the old sample nearest to each new one within `_REACH`, of its group and direction, or
     -1."""
     sound = np.flatnonzero(np.isfinite(old.places) & (np.abs(old.places) < 1e6))
@@ -373,7 +372,7 @@ def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Indices:
     return best
 
 
-def _cell(places: Places) -> NDArray[np.int64]:
+def _cell(places: Complexes) -> NDArray[np.int64]:
     """(N,) numbers of squares of `_REACH` pixels."""
     x, y = (np.floor(part / _REACH).astype(np.int64) for part in (places.real, places.imag))
     return np.asarray((x << np.int64(32)) + y)

@@ -20,8 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.edges import edges
-from glshim.geometry.edges.edges import Doubles, Flags, Indices
 from glshim.linework.polygon_lines import ASKEW
+from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD, Line
 from glshim.model.vectors import cross, unit
 
@@ -44,7 +44,7 @@ class Triangles(Protocol):
     """(T, 3, 3) float64 corners in eye space, of which only some are asked: an array, or made
     on demand."""
 
-    def __getitem__(self, index: Indices, /) -> Doubles: ...
+    def __getitem__(self, index: Rows, /) -> Doubles: ...
 
 
 class _Meeting(NamedTuple):
@@ -60,13 +60,13 @@ class _Meeting(NamedTuple):
     """(N, 3) unit direction of the line that the planes have in common."""
     normals: Doubles
     """(2, N, 3) unit normals."""
-    sides: Indices
+    sides: Rows
     """(2, N) the side of each (0..2, from the corner of that number) in the other's plane, or -1"""
-    shared: Indices
+    shared: Rows
     """(N,) corners that they have in common."""
 
 
-def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None = None) -> Indices:
+def neighbours(triangles: Floats, owner: Indices | None = None) -> Rows:
     """(T, 3) the triangle at the other side of each side (corner k to k + 1), -1 for none.
 
     triangles (T, 3, 3) in one object space. owner (T,) numbers those of one mesh alike: where more
@@ -85,7 +85,7 @@ def neighbours(triangles: NDArray[np.float32], owner: NDArray[np.int32] | None =
     return np.asarray(found.reshape(-1, 3) // 3)
 
 
-def bridge(triangles: Triangles, beside: Indices, among: Indices) -> None:
+def bridge(triangles: Triangles, beside: Rows, among: Rows) -> None:
     """Note in beside (T, 3) which sides without a neighbour lie together, in eye space, of the
     triangles in among: how an app cuts a surface into objects does not matter."""
     row, side = np.nonzero(beside[among] < 0)
@@ -101,15 +101,15 @@ def bridge(triangles: Triangles, beside: Indices, among: Indices) -> None:
     beside[which[one], side[one]], beside[which[other], side[other]] = which[other], which[one]
 
 
-def _sides(triangles: NDArray[np.float32]) -> NDArray[np.float32]:
+def _sides(triangles: Floats) -> Floats:
     """(3 T, 6) both ends of each side."""
     corners = np.asarray(triangles, np.float32)
     return np.stack((corners, corners[:, [1, 2, 0]]), axis=2).reshape(-1, 6)
 
 
 def _pair(
-    found: Indices, sides: NDArray[np.float32], among: Indices, owner: NDArray[np.int32] | None
-) -> Indices:
+    found: Rows, sides: Floats, among: Rows, owner: Indices | None
+) -> Rows:
     """Note the other side of each edge that has two among some sides. Those of edges with more."""
     order, first, _ = edges.neighbours(sides[among], owner)
     counts = np.diff(first, append=len(order))
@@ -119,7 +119,7 @@ def _pair(
     return among[order[np.repeat(counts > 2, counts)]]
 
 
-def trace(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
+def trace(triangles: Triangles, beside: Rows, pairs: Rows) -> Rows:
     """(K, 2) the pairs that touch, and those that follow along the meshes.
 
     pairs (N, 2), beside (T, 3) as `neighbours` gives. Each round tests the neighbours of either
@@ -144,7 +144,7 @@ def trace(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
     return np.stack(np.divmod(found, max(total, 1)), axis=1)
 
 
-def _codes(pairs: Indices, total: int) -> Indices:
+def _codes(pairs: Rows, total: int) -> Rows:
     """(K,) one number for each pair, whatever its order: sorted, each once, no -1 and no pair
     of a triangle with itself."""
     low, high = np.minimum(pairs[:, 0], pairs[:, 1]), np.maximum(pairs[:, 0], pairs[:, 1])
@@ -159,7 +159,7 @@ def distinct(values: NDArray[_Number]) -> NDArray[_Number]:
     return ordered[fresh]
 
 
-def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Doubles, Indices]:
+def segments(triangles: Triangles, beside: Rows, pairs: Rows) -> tuple[Doubles, Rows]:
     """(M, 2, 3) what the interiors of pairs have in common, and (M,) the row in pairs.
 
     pairs (N, 2) of triangles, beside (T, 3) as `neighbours` gives. Nothing comes of planes within
@@ -192,7 +192,7 @@ def segments(triangles: Triangles, beside: Indices, pairs: Indices) -> tuple[Dou
     return met.ends[rows], rows
 
 
-def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np.float32]:
+def records(triangles: Triangles, beside: Rows, pairs: Rows) -> Floats:
     """(L, 21) float32 records (`glshim.linework.polygon_lines`), eye space, of what `segments`
     finds."""
     ends, rows = segments(triangles, beside, pairs)
@@ -211,14 +211,14 @@ def records(triangles: Triangles, beside: Indices, pairs: Indices) -> NDArray[np
     return made
 
 
-def sift(triangles: Triangles, pairs: Indices) -> tuple[Flags, Flags]:
+def sift(triangles: Triangles, pairs: Rows) -> tuple[Flags, Flags]:
     """Of pairs (N, 2), before neighbours are known: (N,) which have more than a point and not
     just a side in common, and (N,) which lie near each other without a common corner."""
     met = _meet(triangles[pairs[:, 0]], triangles[pairs[:, 1]])
     return met.cross & (met.shared < 2), ~met.touch & (met.shared == 0)
 
 
-def approach(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
+def approach(triangles: Triangles, beside: Rows, pairs: Rows) -> Rows:
     """(K, 2) pairs around the places to which pairs (N, 2) lead, along both meshes, as long as
     they come nearer to each other.
 
@@ -247,7 +247,7 @@ def approach(triangles: Triangles, beside: Indices, pairs: Indices) -> Indices:
     return np.stack(np.divmod(_codes(both.reshape(-1, 2), total), max(total, 1)), axis=1)
 
 
-def _steps(beside: Indices, pairs: Indices) -> Indices:
+def _steps(beside: Rows, pairs: Rows) -> Rows:
     """(N, 6, 2) pairs (N, 2) with one of the two moved to a neighbour, which may be -1."""
     step = np.repeat(pairs[:, None], 6, axis=1)
     step[:, :3, 0], step[:, 3:, 1] = beside[pairs[:, 0]], beside[pairs[:, 1]]
@@ -298,7 +298,7 @@ def _meet(first: Doubles, second: Doubles) -> _Meeting:
         )
 
 
-def _span(places: Doubles, heights: Doubles) -> tuple[Doubles, Doubles, Indices]:
+def _span(places: Doubles, heights: Doubles) -> tuple[Doubles, Doubles, Rows]:
     """Where triangles meet a plane: (N,) from, (N,) to, and (N,) the side that lies in it or -1.
 
     places (N, 3) of the corners along the line of the planes, heights (N, 3) above the plane.
@@ -320,7 +320,7 @@ def _span(places: Doubles, heights: Doubles) -> tuple[Doubles, Doubles, Indices]
 
 
 def _halves(
-    triangles: Triangles, around: Indices, met: _Meeting, part: int, rows: Indices
+    triangles: Triangles, around: Rows, met: _Meeting, part: int, rows: Rows
 ) -> Doubles:
     """(2, N) angles about the line, radians, of the two half-planes in which a surface goes on.
 

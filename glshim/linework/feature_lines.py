@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.edges.edges import Edges
 from glshim.geometry.edges.folds import FLAT, Folds, Topology
@@ -32,6 +31,7 @@ from glshim.linework.polygon_lines import (
     together,
 )
 from glshim.linework.smooth_lines import SmoothPieces
+from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import GRAIN, is_ridge, is_valley
 from glshim.model.lines import (
@@ -49,12 +49,8 @@ from glshim.model.lines import (
     in_group,
     no_lines,
 )
-from glshim.model.vectors import Doubles, dot, unit
+from glshim.model.vectors import dot, unit
 from glshim.styling.wishes import Choice, Features
-
-Floats = NDArray[np.float32]
-Flags = NDArray[np.bool_]
-Rows = NDArray[np.intp]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

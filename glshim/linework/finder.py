@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.edges.edges import Edges, edges, edges_of_each, join
 from glshim.geometry.edges.gather import Places, together
@@ -14,6 +13,7 @@ from glshim.linework.feature_lines import feature_lines, names_of
 from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
 from glshim.linework.polygon_lines import lines
+from glshim.model.arrays import Floats, Indices
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.styling.values import Item
@@ -30,8 +30,8 @@ class Harvest:
         self._cache: AgingCache[Edges] = AgingCache(cache_bytes)
         self.objects = Objects(cache_bytes)
         self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
-        self._crowd: tuple[Hashable, Edges, NDArray[np.int32]] | None = None
-        self._known: dict[Hashable, NDArray[np.float32]] = {}
+        self._crowd: tuple[Hashable, Edges, Indices] | None = None
+        self._known: dict[Hashable, Floats] = {}
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -40,7 +40,7 @@ class Harvest:
         self.objects.tick()
         self._past.tick()
 
-    def records(self, group: Group) -> NDArray[np.float32]:
+    def records(self, group: Group) -> Floats:
         """(L, 21) `glshim.linework.polygon_lines` of a group, or the features of the meshes that
         its batches make together. The same lines drawn in several coats of a layer are found once.
         """
@@ -50,7 +50,7 @@ class Harvest:
             found = self._known[name] = self._found(group)
         return found
 
-    def _found(self, group: Group) -> NDArray[np.float32]:
+    def _found(self, group: Group) -> Floats:
         wanted = group.wanted
         if isinstance(wanted, Features):
             return self._features(group, wanted)
@@ -66,7 +66,7 @@ class Harvest:
             parts.append(self._gathered(small))
         return lines(parts, group.camera, wanted)
 
-    def _features(self, group: Group, wanted: Features) -> NDArray[np.float32]:
+    def _features(self, group: Group, wanted: Features) -> Floats:
         items = [(batch, camera.modelview) for batch, camera in group.items]
         placed = self.objects.placed(items, wanted.tolerance)
         camera = group.camera

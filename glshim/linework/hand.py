@@ -10,14 +10,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.linework.chains import Walk
+from glshim.model.arrays import Complexes, Doubles, Flags, Rows
 from glshim.model.lines import ENDLESS
-from glshim.model.vectors import Doubles
-
-Indices = NDArray[np.intp]
-Flags = NDArray[np.bool_]
 
 _SPAN = 8.0
 """Pixels before and after a place over which the direction of a stroke is taken: a contour along
@@ -72,7 +68,7 @@ def begun_anywhere(walk: Walk) -> Walk:
     return replace(walk, begin=walk.begin + start, finish=walk.finish + start)
 
 
-def own_numbers(rows: Indices) -> Doubles:
+def own_numbers(rows: Rows) -> Doubles:
     """(N,) in 0..1 for edges by their rows (N,): not 0, and near rows are apart."""
     return np.asarray((rows + 1) * _GOLDEN % 1.0)
 
@@ -80,7 +76,7 @@ def own_numbers(rows: Indices) -> Doubles:
 class _Run:
     """Lines one after the other along their strokes, all strokes in a row."""
 
-    def __init__(self, walk: Walk, order: Indices) -> None:
+    def __init__(self, walk: Walk, order: Rows) -> None:
         stroke = walk.stroke[order]
         self.forward: Flags = (walk.begin <= walk.finish)[order]
         z = [np.where(np.isfinite(end[order]), end[order], 0.0) for end in walk.places]
@@ -88,8 +84,8 @@ class _Run:
         self._to = np.where(self.forward, z[1], z[0])
         self.size: Doubles = np.abs(self._to - self._from)
         self.total: Doubles = np.cumsum(self.size)
-        self.last: Indices = np.flatnonzero(np.append(stroke[1:] != stroke[:-1], True))
-        self.first: Indices = np.append(0, self.last[:-1] + 1)
+        self.last: Rows = np.flatnonzero(np.append(stroke[1:] != stroke[:-1], True))
+        self.first: Rows = np.append(0, self.last[:-1] + 1)
         self.loop: Flags = walk.loop[order[self.first]] > 0.0
         lengths = np.diff(np.append(self.first, len(order)))
         self._number = np.repeat(np.arange(len(self.first)), lengths)
@@ -110,7 +106,7 @@ class _Run:
         found[self.last] = True
         return found
 
-    def _turns(self, following: Indices) -> Doubles:
+    def _turns(self, following: Rows) -> Doubles:
         """(L,) radians by which strokes turn at the ends of lines, taken over `_SPAN`."""
         low = (self.total - self.size)[self.first]
         high = self.total[self.last]
@@ -123,7 +119,7 @@ class _Run:
         left = np.minimum(self.total - low[self._number], high[self._number] - ahead_from)
         return np.where(self.loop[self._number] | (left >= 0.5 * _SPAN), turns, 0.0)
 
-    def _place(self, along: Doubles) -> NDArray[np.complex128]:
+    def _place(self, along: Doubles) -> Complexes:
         """(N,) places in the window, pixels, so far along the row of strokes."""
         line = np.minimum(np.searchsorted(self.total, along), len(self.size) - 1)
         share = 1.0 - (self.total[line] - along) / np.maximum(self.size[line], 1e-9)

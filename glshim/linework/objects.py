@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from weakref import WeakKeyDictionary, WeakValueDictionary
 
-import numpy as np
-from numpy.typing import NDArray
-
 from glshim.geometry.crease.creases import Creases, Criterion, creases
 from glshim.geometry.edges.edges import join
 from glshim.geometry.edges.folds import Topology
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.meshes import Meshes
 from glshim.linework.feature_lines import EdgeLines
+from glshim.model.arrays import Doubles
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
@@ -92,12 +90,12 @@ class Objects:
 
     def placed(
         self,
-        items: Sequence[tuple[PolygonBatch, NDArray[np.float64]]],
+        items: Sequence[tuple[PolygonBatch, Doubles]],
         tolerance: float,
-    ) -> list[tuple[EdgeLines, NDArray[np.float64]]]:
+    ) -> list[tuple[EdgeLines, Doubles]]:
         """Batches, each under its modelview (4, 4), as objects: those that share one, even across
         glBegin and lists, are one object."""
-        together: dict[bytes, tuple[list[PolygonBatch], NDArray[np.float64]]] = {}
+        together: dict[bytes, tuple[list[PolygonBatch], Doubles]] = {}
         for batch, modelview in items:
             together.setdefault(modelview.tobytes(), ([], modelview))[0].append(batch)
         return [

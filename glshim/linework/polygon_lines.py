@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from glshim.geometry.edges.edges import Doubles, Edges, Flags, Indices, neighbours
+from glshim.geometry.edges.edges import Edges, neighbours
 from glshim.geometry.edges.gather import Places
 from glshim.linework.chains import link, measure
 from glshim.linework.hand import own_numbers
+from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import is_ridge, is_valley
 from glshim.model.lines import (
@@ -31,8 +31,6 @@ from glshim.model.lines import (
 from glshim.model.vectors import unit
 from glshim.styling.wishes import Choice, Pattern
 
-Floats = NDArray[np.float32]
-
 SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
 
@@ -42,7 +40,7 @@ _CROWD = 12
 ASKEW = np.array((0.571, 0.733, 0.369))
 """A direction that no app has in mind."""
 
-_Found = list[tuple[int, Indices, Indices | None]]
+_Found = list[tuple[int, Rows, Rows | None]]
 """Lines of a kind: their sides, and the other polygon's sides on the same edges."""
 
 
@@ -113,7 +111,7 @@ class Seen:
         self.left: Flags = self.ccw == edges.forward
         """(E,) on which side of its edge, as it runs, the polygon lies in the window."""
 
-    def folds(self, first: Indices, second: Indices, folds: Doubles) -> Doubles:
+    def folds(self, first: Rows, second: Rows, folds: Doubles) -> Doubles:
         """Dihedral angles (radians, eye space) of pairs of sides as the viewer sees them; folds
         are those in object space, from the winding side of first."""
         places = self._places
@@ -128,7 +126,7 @@ class Seen:
             flipped = np.where(skewed, plainly, flipped)
         return np.where(self.ccw[first] != flipped, folds, 2.0 * np.pi - folds)
 
-    def moved(self, sides: Indices) -> Edges:
+    def moved(self, sides: Rows) -> Edges:
         """Some sides in eye space, each with its plane, not yet knowing each other."""
         ends, normals = self._ends(sides), self._normals(sides)
         planes = np.c_[normals, -np.einsum("li,li->l", normals, ends[:, 0])]
@@ -174,7 +172,7 @@ class Seen:
         records[:, Line.NUMBER] = own_numbers(sides)
         return records
 
-    def _ends(self, sides: Indices) -> Floats:
+    def _ends(self, sides: Rows) -> Floats:
         """(N, 2, 3) both ends in eye space."""
         places, owner = self._places, self._owners(sides)
         ends = self.edges.sides[sides].reshape(-1, 2, 3).astype(np.float64)
@@ -183,11 +181,11 @@ class Seen:
             return np.asarray(ends @ turn[0] + places.modelviews[0, :3, 3], np.float32)
         return np.asarray(ends @ turn[owner] + places.modelviews[owner, None, :3, 3], np.float32)
 
-    def _normals(self, sides: Indices) -> Doubles:
+    def _normals(self, sides: Rows) -> Doubles:
         """(N, 3) unit normals in eye space."""
         return self._turned(sides, self.edges.planes[self.edges.polygon[sides], :3])
 
-    def _turned(self, sides: Indices, vectors: Doubles) -> Doubles:
+    def _turned(self, sides: Rows, vectors: Doubles) -> Doubles:
         """(N, 3) normals of the polygons of sides, from object to eye space, unit."""
         normals = vectors[:, :, None]
         turn = cofactors(self._places.modelviews)
@@ -196,11 +194,11 @@ class Seen:
         ]
         return unit(moved)
 
-    def _owners(self, sides: Indices) -> NDArray[np.int32]:
+    def _owners(self, sides: Rows) -> Indices:
         return self._places.polygon[self.edges.polygon[sides]]
 
 
-def alone_of(sides: Indices, seen: Seen, choice: Choice) -> _Found:
+def alone_of(sides: Rows, seen: Seen, choice: Choice) -> _Found:
     """Lines of sides that know no neighbour."""
     found: _Found = []
     ahead = sides[seen.front[sides]]
@@ -256,7 +254,7 @@ def together(edges: Edges, seen: Seen, choice: Choice) -> _Found:
 
 
 def _crowded_folds(
-    edges: Edges, seen: Seen, sides: Indices, edge: Indices
+    edges: Edges, seen: Seen, sides: Rows, edge: Rows
 ) -> tuple[Doubles, Doubles]:
     """The least and the greatest fold between any two polygons of each edge with many, one on
     either side of it in the window. Polygons sent twice fold with none of their own."""

@@ -9,7 +9,6 @@ from __future__ import annotations
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.contour.contours import facing, suggestive_contours, zero_segments
 from glshim.geometry.contour.curvature import (
@@ -20,6 +19,7 @@ from glshim.geometry.contour.curvature import (
 )
 from glshim.geometry.edges.folds import Folds, Topology
 from glshim.linework.polygon_lines import SHARP
+from glshim.model.arrays import Doubles, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.lines import (
     CONTOUR,
@@ -31,11 +31,7 @@ from glshim.model.lines import (
     Line,
     in_group,
 )
-from glshim.model.vectors import Doubles, cross, dot, unit
-
-Floats = NDArray[np.float32]
-Indices = NDArray[np.int32]
-Rows = NDArray[np.intp]
+from glshim.model.vectors import cross, dot, unit
 
 _BENT = 0.02
 """Sine of the angle between a polygon and the smooth surface from which it counts as bent."""

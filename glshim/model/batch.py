@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.model.arrays import Flags, Floats, Indices
+
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
@@ -38,13 +40,13 @@ class PolygonBatch:
     geometry drops them.
     """
 
-    positions: NDArray[np.float32]
+    positions: Floats
     """(V, 3) object space, after division by w."""
-    corners: NDArray[np.int32]
+    corners: Indices
     """(C,) indices into positions."""
-    starts: NDArray[np.int32]
+    starts: Indices
     """(P + 1,) first corner of each polygon; the last entry is C."""
-    boundary: NDArray[np.bool_]
+    boundary: Flags
     """(C,) the side that leaves this corner is a true edge."""
     key: Hashable | None = None
     """Equal keys mean equal content (a display list, an unchanged buffer): caches may hold on
@@ -54,7 +56,7 @@ class PolygonBatch:
     """(P,) a number for the colour that all corners of a polygon were given, 0 where they differ or
     nothing is known; None: not asked for (`glshim.styling.protocol.Styler.wants_colours`)."""
 
-    normals: NDArray[np.float32] | None = None
+    normals: Floats | None = None
     """(C, 3) object space: the normal that the app gave at each corner, as sent (not normalised),
     zero where none is known; None: none is, or not asked for
     (`glshim.styling.protocol.Styler.wants_normals`)."""
@@ -74,7 +76,7 @@ def regions_of(parts: Sequence[PolygonBatch]) -> NDArray[np.uint32] | None:
     )
 
 
-def normals_of(parts: Sequence[PolygonBatch]) -> NDArray[np.float32] | None:
+def normals_of(parts: Sequence[PolygonBatch]) -> Floats | None:
     """(C, 3) the normals of several batches as one, None where none is known."""
     if all(p.normals is None for p in parts):
         return None

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-Matrix = NDArray[np.float64]
+from glshim.model.arrays import Doubles, Matrix
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +66,7 @@ class Camera:
         return bool(np.linalg.det(self.projection @ self.modelview) > 0.0)
 
     @property
-    def centre(self) -> NDArray[np.float64]:
+    def centre(self) -> Doubles:
         """(4,) the eye in eye space, homogeneous and signed: for the plane ``(n, -n.p)`` of a
         polygon with winding normal n, ``plane . centre`` has the sign of its area in the window
         (positive: counter-clockwise), under any projection.
@@ -78,12 +77,12 @@ class Camera:
         return _minors(self.projection[[0, 1, 3]])
 
     @property
-    def object_centre(self) -> NDArray[np.float64]:
+    def object_centre(self) -> Doubles:
         """(4,) `centre` for planes in object space, exact for a singular modelview too."""
         return _minors((self.projection @ self.modelview)[[0, 1, 3]])
 
     @property
-    def viewpoint(self) -> NDArray[np.float64]:
+    def viewpoint(self) -> Doubles:
         """(4,) where the viewer is in eye space: a point (w = 1), or, for a parallel projection,
         the unit direction towards the viewer (w = 0)."""
         centre = self.centre
@@ -95,7 +94,7 @@ class Camera:
         return np.asarray(direction if self.projection[2] @ direction < 0.0 else -direction)
 
     @property
-    def normal_matrix(self) -> NDArray[np.float64]:
+    def normal_matrix(self) -> Doubles:
         """(3, 3) the cofactors of modelview's upper 3x3: takes area vectors (Newell normals)
         from object to eye space, exact under any scale, shear or mirroring."""
         return cofactors(self.modelview)
@@ -106,7 +105,7 @@ class Camera:
         return bool(np.all(self.projection[3, :3] == 0.0))
 
 
-def cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
+def cofactors(matrix: Doubles) -> Doubles:
     """(..., 3, 3) the cofactors of the upper 3x3 of matrices (..., 4, 4): what their action on
     vectors does to areas."""
     m = matrix[..., :3, :3]
@@ -118,7 +117,7 @@ def cofactors(matrix: NDArray[np.float64]) -> NDArray[np.float64]:
     return out
 
 
-def _minors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+def _minors(rows: Doubles) -> Doubles:
     """(4,) the signed 3x3 minors of a 3x4 matrix: its null vector."""
     (a, b, c, d), (e, f, g, h), (i, j, k, m) = rows.tolist()
     gm, fm, em = g * m - h * k, f * m - h * j, e * m - h * i

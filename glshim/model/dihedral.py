@@ -9,19 +9,20 @@ threshold includes what lies below it. Angles within `GRAIN` of a threshold equa
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
+
+from glshim.model.arrays import Doubles, Flags
 
 GRAIN = 1e-3
 """Radians, 0.06 degrees: rounding of float32 corners moves an angle by less. The sides of a
 hexagonal nut fold by exactly the default thresholds, 120 and 240 degrees."""
 
 
-def is_ridge(angles: NDArray[np.float64], ridge_angle: float) -> NDArray[np.bool_]:
+def is_ridge(angles: Doubles, ridge_angle: float) -> Flags:
     """(N,) of dihedral angles (N,)."""
     return np.asarray(angles <= ridge_angle + GRAIN)
 
 
-def is_valley(angles: NDArray[np.float64], valley_angle: float) -> NDArray[np.bool_]:
+def is_valley(angles: Doubles, valley_angle: float) -> Flags:
     """(N,) of dihedral angles (N,)."""
     return np.asarray(angles > valley_angle + GRAIN)
 

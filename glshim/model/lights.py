@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from glshim.model.arrays import Doubles
 
 Shade = tuple[float, float, float]
 """Red, green, blue; lights may be brighter than 1."""
@@ -43,8 +44,8 @@ class Lighting:
 
 
 def incoming(
-    lights: Sequence[Light], points: NDArray[np.float64], normals: NDArray[np.float64]
-) -> NDArray[np.float64]:
+    lights: Sequence[Light], points: Doubles, normals: Doubles
+) -> Doubles:
     """(N, 3) the diffuse light that falls on points (N, 3) with unit normals (N, 3), eye space:
     the sum over lights of attenuation, spot light effect, n . l and diffuse colour."""
     found = np.zeros((len(points), 3))
@@ -68,7 +69,7 @@ def incoming(
     return found
 
 
-def banded(level: NDArray[np.float64], bands: int) -> NDArray[np.float64]:
+def banded(level: Doubles, bands: int) -> Doubles:
     """Brightness 0..1 in flat bands of equal width, the darkest 0 and the brightest 1.
 
     A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR 2000,
@@ -77,14 +78,14 @@ def banded(level: NDArray[np.float64], bands: int) -> NDArray[np.float64]:
 
 
 def gooch(
-    paint: NDArray[np.float64],
-    toward: NDArray[np.float64],
+    paint: Doubles,
+    toward: Doubles,
     *,
     blue: float,
     yellow: float,
     alpha: float,
     beta: float,
-) -> NDArray[np.float64]:
+) -> Doubles:
     """(N, 3) cool-to-warm tones of paints (N, 3), by n . l (N,): warm towards the light.
 
     A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic

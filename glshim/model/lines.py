@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float32]
-Indices = NDArray[np.intp]
+from glshim.model.arrays import Floats, Rows
 
 RECORD = 21
 """Floats of one record; `Line` names them."""
@@ -72,12 +70,12 @@ ENDLESS = 1e6
 """Pixels to the end of a stroke that has none: a loop without a corner."""
 
 
-def kind_of(records: Floats) -> Indices:
+def kind_of(records: Floats) -> Rows:
     """(L,) kinds of line of records (L, 21)."""
     return np.asarray(records[:, Line.KIND].astype(np.intp) % GROUP)
 
 
-def group_of(records: Floats) -> Indices:
+def group_of(records: Floats) -> Rows:
     """(L,) groups of records (L, 21), see `GROUPS`."""
     kind, extra = kind_of(records), records[:, Line.KIND].astype(np.intp) // GROUP
     return np.where(extra > 0, extra + 3, np.maximum(kind - FIN + 1, 0) // 2)

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Matrix = NDArray[np.float64]
+from glshim.model.arrays import Matrix
 
 
 def translation(x: float, y: float, z: float) -> Matrix:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Doubles = NDArray[np.float64]
+from glshim.model.arrays import Doubles
 
 
 def dot(u: Doubles, v: Doubles) -> Doubles:

@@ -17,13 +17,12 @@ from numpy.typing import NDArray
 
 from glshim.geometry.contour.curvature import (
     Curvature,
-    Floats,
-    Indices,
     radial_curvature,
     radial_derivative,
     towards,
 )
-from glshim.model.vectors import Doubles, cross, dot, unit
+from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
+from glshim.model.vectors import cross, dot, unit
 
 THETA = float(np.radians(20.0))
 """Radians between normal and view, below which a suggestive contour is too uncertain."""
@@ -53,7 +52,7 @@ class Segments:
     def __len__(self) -> int:
         return len(self.triangle)
 
-    def take(self, index: NDArray[np.bool_] | NDArray[np.intp]) -> Segments:
+    def take(self, index: Flags | Rows) -> Segments:
         """Some of them."""
         return Segments(
             self.ends[index], self.triangle[index], self.weights[index], self.side[index]
@@ -65,7 +64,7 @@ class Segments:
             np.einsum("sek,sk...->se...", self.weights, values[triangles[self.triangle]])
         )
 
-    def chains(self) -> NDArray[np.intp]:
+    def chains(self) -> Rows:
         """(S,) a number for each segment, alike for those that link up."""
         _, node = np.unique(self.side, return_inverse=True)
         node = node.reshape(-1, 2)
@@ -208,7 +207,7 @@ def suggestive_contours(
     return kept.take(np.flatnonzero(np.isin(chain, chain[high[low]])))
 
 
-def _lone(sign: NDArray[np.bool_]) -> NDArray[np.intp]:
+def _lone(sign: Flags) -> Rows:
     """(S,) which of three corners (S, 3) differs from both others."""
     last = np.where(sign[:, 0] == sign[:, 2], 1, 2)
     return np.asarray(np.where(sign[:, 1] == sign[:, 2], 0, last))
@@ -253,7 +252,7 @@ def _rise(corners: Floats, values: Floats, normals: Floats, sight: Floats) -> Fl
 
 def _valley(
     segments: Segments, positions: Floats, triangles: Indices, radial: Floats, eye: Doubles
-) -> NDArray[np.bool_]:
+) -> Flags:
     """(S,) the paper's test of the sides AB and AC, A the corner whose sign is its own."""
     corners = triangles[segments.triangle]
     place = np.asarray(positions[corners], np.float64)

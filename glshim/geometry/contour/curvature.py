@@ -15,12 +15,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from glshim.model.vectors import Doubles, cross, dot, unit
-
-Floats = NDArray[np.float32]
-Indices = NDArray[np.int32]
+from glshim.model.arrays import Doubles, Floats, Indices
+from glshim.model.vectors import cross, dot, unit
 
 _SLIVER = 1e-12
 """Squared area over the squared sum of squared sides, below which a triangle has no plane."""

@@ -24,11 +24,9 @@ from glshim.geometry.crease.smoothing_groups import (
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.welding import mixed
-from glshim.model.vectors import Doubles, dot, unit
+from glshim.model.arrays import Doubles, Flags, Floats, Indices
+from glshim.model.vectors import dot, unit
 
-Floats = NDArray[np.float32]
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
 Rule = Literal["normals", "angle", "either"]
 
 _TOPOLOGY: tuple[str, ...] = ("adjacency", "strips")

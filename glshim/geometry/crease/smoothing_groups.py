@@ -12,10 +12,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
+from glshim.model.arrays import Flags, Indices
 
 _WALK = 8
 """Steps after which a vertex of many triangles is left to doubling."""

@@ -10,14 +10,10 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.batch import PolygonBatch, normals_of, regions_of
 from glshim.model.camera import cofactors
 from glshim.model.vectors import cross, unit
-
-Floats = NDArray[np.float32]
-Doubles = NDArray[np.float64]
-Indices = NDArray[np.intp]
-Flags = NDArray[np.bool_]
 
 _GRAIN = 16 * float(np.finfo(np.float32).eps)
 """Length, over a polygon's largest coordinate, below which float32 corners say nothing: heights of
@@ -46,18 +42,18 @@ class Edges:
 
     sides: Floats
     """(E, 6): from ``a`` to ``b``, as the polygon winds."""
-    polygon: NDArray[np.int32]
+    polygon: Indices
     """(E,) row in planes of the side's polygon."""
     planes: Doubles
     """(P, 4): the unit normal of the winding (Newell), minus its product with the centroid."""
     creases: Doubles
     """(P, 3) unit normals that folds are measured by: of the whole polygon, where it is bent and
     held as the triangles that are drawn."""
-    parents: Indices
+    parents: Rows
     """(P,) numbers of those whole polygons."""
-    order: Indices
+    order: Rows
     """(E,) sides sorted so that those of one edge are neighbours."""
-    first: Indices
+    first: Rows
     """(G,) where each edge begins in order."""
     forward: Flags
     """(E,) direction of the side along its edge: two sides of consistent windings differ."""
@@ -66,25 +62,25 @@ class Edges:
         return len(self.sides)
 
     @cached_property
-    def counts(self) -> Indices:
+    def counts(self) -> Rows:
         """(G,) number of sides on each edge."""
         ends = np.append(self.first[1:], len(self.order))
-        counts: Indices = np.subtract(ends, self.first, dtype=np.intp)
+        counts: Rows = np.subtract(ends, self.first, dtype=np.intp)
         return counts
 
     @cached_property
-    def singles(self) -> Indices:
+    def singles(self) -> Rows:
         """(S,) sides that lie alone on their edge."""
         return self.order[self.first[np.flatnonzero(self.counts == 1)]]
 
     @cached_property
-    def pairs(self) -> tuple[Indices, Indices]:
+    def pairs(self) -> tuple[Rows, Rows]:
         """(N,), (N,) the two sides of each edge that has two."""
         at = self.first[self.counts == 2]
         return self.order[at], self.order[at + 1]
 
     @cached_property
-    def crowds(self) -> tuple[Indices, Indices]:
+    def crowds(self) -> tuple[Rows, Rows]:
         """Sides on edges with three and more: (C,) the sides, (C,) the edge of each, from 0."""
         counts = self.counts
         many = counts > 2
@@ -96,7 +92,7 @@ class Edges:
         """(N,) `dihedral` angle of each pair, seen from the winding side of its first."""
         return self.fold(*self.pairs)
 
-    def fold(self, first: Indices, second: Indices, linear: Doubles | None = None) -> Doubles:
+    def fold(self, first: Rows, second: Rows, linear: Doubles | None = None) -> Doubles:
         """(N,) `dihedral` angles of pairs of sides, seen from the winding side of first, in
         object space or in the space that a linear part, (3, 3) or (N, 3, 3), leads to."""
         one, other = (self.creases[self.polygon[side]] for side in (first, second))
@@ -158,7 +154,7 @@ def edges(batch: PolygonBatch) -> Edges:
     return _edges(batch, None)[0]
 
 
-def edges_of_each(batches: Sequence[PolygonBatch]) -> tuple[Edges, NDArray[np.int32]]:
+def edges_of_each(batches: Sequence[PolygonBatch]) -> tuple[Edges, Indices]:
     """The edges of several batches, each in its own object space and without neighbours in the
     others, and (P,) the batch of every row in planes. One or more."""
     counts = [batch.polygon_count for batch in batches]
@@ -166,14 +162,14 @@ def edges_of_each(batches: Sequence[PolygonBatch]) -> tuple[Edges, NDArray[np.in
 
 
 def _edges(
-    batch: PolygonBatch, objects: NDArray[np.int32] | None
-) -> tuple[Edges, NDArray[np.int32]]:
+    batch: PolygonBatch, objects: Indices | None
+) -> tuple[Edges, Indices]:
     """The edges, of objects (one number a polygon) kept apart, and each plane's object."""
-    parts: list[tuple[Floats, NDArray[np.int32], Doubles]] = []
-    owners: list[NDArray[np.int32]] = []
+    parts: list[tuple[Floats, Indices, Doubles]] = []
+    owners: list[Indices] = []
     done = 0
     creases: list[Doubles] = []
-    parents: list[Indices] = []
+    parents: list[Rows] = []
     for at, flags, numbers, normals in _by_size(batch):
         part = _same_size(batch.positions[at], flags)
         parts.append((part[0], part[1] + np.int32(done), part[2]))
@@ -194,7 +190,7 @@ def _edges(
     return Edges(sides, polygon, planes, whole, numbers, *met), owner
 
 
-_Group = tuple[NDArray[np.int32], Flags, Indices, Doubles | None]
+_Group = tuple[Indices, Flags, Rows, Doubles | None]
 """Polygons with equally many corners: (P, n) indices into positions, (P, n) true sides, (P,) their
 numbers in the batch, and (P, 3) unit normals of the whole polygons if these are parts."""
 
@@ -238,7 +234,7 @@ def _bent(points: Floats) -> tuple[Flags, Doubles]:
         return np.asarray(bent), unit(normal)
 
 
-def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices, normals: Doubles) -> _Group:
+def _fans(at: Indices, flags: Flags, polygon: Rows, normals: Doubles) -> _Group:
     """Polygons (P, n) as fans of triangles about their first corner; the cuts are true sides, but
     by the normals (P, 3) of the whole polygons no creases."""
     count, size = at.shape
@@ -252,7 +248,7 @@ def _fans(at: NDArray[np.int32], flags: Flags, polygon: Indices, normals: Double
     return *parts, np.repeat(polygon, fans), np.repeat(normals, fans, axis=0)
 
 
-def neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices, Indices, Flags]:
+def neighbours(sides: Floats, owner: Indices | None) -> tuple[Rows, Rows, Flags]:
     """The fields order, first and forward of `Edges`, of sides (E, 6) in one space; those of
     unlike owners (E,) keep apart.
 
@@ -285,7 +281,7 @@ def neighbours(sides: Floats, owner: NDArray[np.int32] | None) -> tuple[Indices,
     return order, first, forward
 
 
-def _boxes(sides: Floats, owner: NDArray[np.int32]) -> tuple[Doubles, Doubles]:
+def _boxes(sides: Floats, owner: Indices) -> tuple[Doubles, Doubles]:
     """(N, 3) the least corner and (N,) the extent of the sides of each owner."""
     if len(owner) == 1:
         ends = np.array(
@@ -301,7 +297,7 @@ def _boxes(sides: Floats, owner: NDArray[np.int32]) -> tuple[Doubles, Doubles]:
     return low, np.maximum((high - low).max(axis=1), 1e-300)
 
 
-def _runs(key: NDArray[np.int64]) -> tuple[Indices, Indices]:
+def _runs(key: NDArray[np.int64]) -> tuple[Rows, Rows]:
     """A sorting order of key, and where in it each run of equals begins."""
     order = np.argsort(key)
     ordered = key[order]
@@ -330,7 +326,7 @@ def cell(
     return np.asarray((x << np.int64(42)) | (y << np.int64(21)) | z)
 
 
-def _same_size(points: Floats, flags: Flags) -> tuple[Floats, NDArray[np.int32], Doubles, Flags]:
+def _same_size(points: Floats, flags: Flags) -> tuple[Floats, Indices, Doubles, Flags]:
     """Sides, polygon rows and planes of polygons with equally many corners, and which are sound.
 
     points (P, n, 3), flags (P, n).

@@ -6,18 +6,13 @@ from collections.abc import Hashable
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.edges.edges import dihedral
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.camera import cofactors
-from glshim.model.vectors import Doubles, cross, dot, unit
-
-Floats = NDArray[np.float32]
-Flags = NDArray[np.bool_]
-Rows = NDArray[np.intp]
-Indices = NDArray[np.int32]
+from glshim.model.vectors import cross, dot, unit
 
 FLAT = 2e-3
 """Sine of the angle between two parts of a polygon under which their common side is no edge."""

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from glshim.geometry.edges.edges import Doubles, Edges, Flags
+from glshim.geometry.edges.edges import Edges
+from glshim.model.arrays import Doubles, Flags, Indices
 from glshim.model.camera import Camera, cofactors
 
 
@@ -16,7 +16,7 @@ from glshim.model.camera import Camera, cofactors
 class Places:
     """Where the parts of an `Edges` stand: each has its own object space."""
 
-    polygon: NDArray[np.int32]
+    polygon: Indices
     """(P,) which modelview belongs to the polygon of a row in planes."""
     modelviews: Doubles
     """(M, 4, 4) affine, object space to eye space."""
@@ -44,7 +44,7 @@ class Places:
         return np.asarray(float(np.linalg.det(camera.projection)) * turn > 0.0)
 
 
-def together(parts: Sequence[Edges]) -> tuple[Edges, NDArray[np.int32]]:
+def together(parts: Sequence[Edges]) -> tuple[Edges, Indices]:
     """Several `Edges` as one, each with its own neighbours, and the part of every polygon (P,)."""
     counts = [len(part.planes) for part in parts]
     index = np.repeat(np.arange(len(parts), dtype=np.int32), counts)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from glshim.geometry.edges.folds import FLAT
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.model.arrays import Indices
 from glshim.model.vectors import dot, unit
 
-Ints = NDArray[np.int32]
 CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY = 1, 2, 4, 8, 16
 """Bits of `features`."""
 
@@ -25,12 +25,12 @@ CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY = 1, 2, 4, 8, 16
 class EdgeMesh:
     """Edges by the vertices of a `Mesh`."""
 
-    indices: Ints
+    indices: Indices
     """(E, 4) v0, v1, v2, v3 (figure 2): triangles A = <v0, v1, v2> and B = <v3, v1, v0>. v3 = v0:
     boundary (also each side of a non-manifold edge); v3 = v1: marked. ~v0: its component is
     open, both sides may be seen; ~v2: a side inside a polygon that is not flat, which may be a
     contour but no crease."""
-    rows: Ints
+    rows: Indices
     """(E,) the edge of the `Mesh`."""
 
     @property
@@ -51,7 +51,7 @@ def edge_mesh(mesh: Mesh) -> EdgeMesh:
     return EdgeMesh(indices, rows)
 
 
-def inner_sides(mesh: Mesh, edges: EdgeMesh) -> Ints:
+def inner_sides(mesh: Mesh, edges: EdgeMesh) -> Indices:
     """(S, 4) the edges that an edge mesh leaves out, in its form. With them each side of each
     triangle is in one row, as whoever builds volumes of single triangles needs it."""
     out = np.ones(len(mesh.edges), np.bool_)
@@ -59,7 +59,7 @@ def inner_sides(mesh: Mesh, edges: EdgeMesh) -> Ints:
     return _indices(mesh, np.flatnonzero(out))
 
 
-def _indices(mesh: Mesh, rows: NDArray[np.integer]) -> Ints:
+def _indices(mesh: Mesh, rows: NDArray[np.integer]) -> Indices:
     """(E, 4) edges of a mesh, none of them marked, as `EdgeMesh.indices`."""
     indices = np.empty((len(rows), 4), np.int32)
     indices[:, :2] = mesh.edges[rows]
@@ -71,7 +71,7 @@ def _indices(mesh: Mesh, rows: NDArray[np.integer]) -> Ints:
 
 
 def features(
-    indices: Ints,
+    indices: Indices,
     positions: NDArray[np.floating],
     eye: NDArray[np.floating],
     angles: tuple[float, float],

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from math import hypot, inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from glshim.model.arrays import Floats, Indices
 from glshim.model.camera import Camera
 
 
@@ -20,7 +20,7 @@ class Extent:
     longest: float
 
     @classmethod
-    def of(cls, positions: NDArray[np.float32], sides: NDArray[np.int32]) -> Extent:
+    def of(cls, positions: Floats, sides: Indices) -> Extent:
         """Of positions (V, 3), with the vertices (E, 2) of the sides."""
         if not len(sides):
             return cls((0.0, 0.0, 0.0), 0.0, 0.0)

@@ -8,12 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from glshim.model.arrays import Doubles, Floats, Indices
 from glshim.model.camera import cofactors
-from glshim.model.vectors import Doubles, unit
+from glshim.model.vectors import unit
 
-Floats = NDArray[np.float32]
 MOST_BONES = 64
 
 
@@ -45,7 +44,7 @@ class Skin:
     """(V, 3)"""
     matrices: Floats
     """(B, 4, 4) affine, from the pose of rest to where the bone is; at most `MOST_BONES`."""
-    bones: NDArray[np.int32]
+    bones: Indices
     """(V, 4) rows of matrices."""
     weights: Floats
     """(V, 4), sums of one."""

@@ -15,9 +15,9 @@ from glshim.geometry.crease.creases import Creases
 from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR, MARKED, RIDGE, VALLEY, EdgeMesh
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.outward import outward
+from glshim.model.arrays import Flags, Floats, Indices, Rows
 from glshim.model.vectors import dot
 
-Ints = NDArray[np.int32]
 CREASE, SMOOTH = 32, 64
 """Bits of triangles beside those of `features`: one that is seen has a crease; contours of the
 smooth surface, zeros of n.c, pass through it."""
@@ -44,7 +44,7 @@ class Facing:
         self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
         self._last: tuple[bytes, NDArray[np.uint8]] = (b"", np.empty(0, np.uint8))
 
-    def doubtful(self, eye: NDArray[np.floating]) -> NDArray[np.intp]:
+    def doubtful(self, eye: NDArray[np.floating]) -> Rows:
         """The triangles of which rounding decides which side is seen from eye (4,), homogeneous."""
         return np.flatnonzero(self.seen(eye) == _EITHER)
 
@@ -65,7 +65,7 @@ def reach_of(eye: NDArray[np.floating], radius: float) -> float:
     return float(np.linalg.norm(eye[:3])) + radius * abs(float(eye[3]))
 
 
-def _at(eye: NDArray[np.floating], planes: NDArray[np.float32]) -> NDArray[np.float32]:
+def _at(eye: NDArray[np.floating], planes: Floats) -> Floats:
     """(N,) products of planes (4, N) with an eye (4,)."""
     # No matrix product: its threads would wait for those that draw.
     x, y, z, w = np.asarray(eye, np.float32)
@@ -94,7 +94,7 @@ class EdgeSieve:
 
     def candidates(
         self, eye: NDArray[np.floating], wanted: int, angles: tuple[float, float]
-    ) -> Ints:
+    ) -> Indices:
         """The rows of the edge mesh that may have one of the wanted bits of `features`, seen from
         eye (4,) homogeneous, in rising order. angles: as of `features`."""
         found = self._fixed(wanted, angles)
@@ -108,7 +108,7 @@ class EdgeSieve:
             found = found | contours
         return np.flatnonzero(found).astype(np.int32)
 
-    def _fixed_now(self, wanted: int, angles: tuple[float, float]) -> NDArray[np.bool_]:
+    def _fixed_now(self, wanted: int, angles: tuple[float, float]) -> Flags:
         """(E,) what may be a feature from everywhere."""
         found = np.zeros(len(self._a), np.bool_)
         if wanted & BOUNDARY:
@@ -137,7 +137,7 @@ class TriangleSieve:
         self._triangles = np.ascontiguousarray(creases.triangles.T, np.intp)
         self._radius = float(np.abs(mesh.positions).max(initial=0.0)) * 3**0.5
 
-    def candidates(self, eye: NDArray[np.floating], wanted: int) -> Ints:
+    def candidates(self, eye: NDArray[np.floating], wanted: int) -> Indices:
         """Triangles that may have one of the wanted lines, ``CREASE`` and ``SMOOTH``, seen from
         eye (4,) homogeneous, in rising order."""
         found = np.zeros(self._triangles.shape[1], np.bool_)

@@ -5,14 +5,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.recovery.components import turned
 from glshim.geometry.recovery.welding import sorted_with
-
-Indices = NDArray[np.int32]
-Rows = NDArray[np.intp]
-Flags = NDArray[np.bool_]
+from glshim.model.arrays import Flags, Indices, Rows
 
 _NEXT, _BEFORE = np.array((1, 2, 0)), np.array((2, 0, 1))
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
+from glshim.model.arrays import Flags, Indices
 
 
 class Components(NamedTuple):

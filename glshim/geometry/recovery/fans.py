@@ -5,12 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from glshim.model.arrays import Flags, Indices, Rows
 from glshim.model.batch import PolygonBatch
-
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
 
 
 class Fans(NamedTuple):
@@ -25,7 +22,7 @@ class Fans(NamedTuple):
     corners: Indices | None
     """(T, 3) which corner of the batch each is; None where it has no normals."""
 
-    def only(self, which: Flags | NDArray[np.intp]) -> Fans:
+    def only(self, which: Flags | Rows) -> Fans:
         """Some of them."""
         corners = None if self.corners is None else self.corners[which]
         return Fans(self.triangles[which], self.polygon[which], self.true[which], corners)

@@ -7,11 +7,9 @@ Extraction", 2010, "Computing Adjacency", has the same table with pointers.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.recovery.mesh import Mesh
-
-Indices = NDArray[np.int32]
+from glshim.model.arrays import Indices
 
 
 def twins(mesh: Mesh) -> Indices:

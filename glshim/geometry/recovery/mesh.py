@@ -17,15 +17,12 @@ from glshim.geometry.recovery.adjacency import adjacency, meet, repeated
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.fans import fans
 from glshim.geometry.recovery.welding import weld
+from glshim.model.arrays import Doubles, Flags, Floats, Indices
 from glshim.model.batch import PolygonBatch
 from glshim.model.vectors import cross, dot, unit
 
 __all__ = ["Mesh", "Report", "mesh", "weld"]
 
-Floats = NDArray[np.float32]
-Doubles = NDArray[np.float64]
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
 
 _TOPOLOGY = ("components", "closed", "rim", "report")
 """What is derived from the connectivity alone, so that a moved mesh takes it along."""

@@ -8,13 +8,14 @@ from numpy.typing import NDArray
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.welding import weld
-from glshim.model.vectors import Doubles, cross, dot
+from glshim.model.arrays import Doubles, Floats
+from glshim.model.vectors import cross, dot
 
 _HOLLOW = 0.01
 """Volume over area to the power of 1.5 from which on a component has an inside (sphere: 0.094)."""
 
 
-def outward(mesh: Mesh) -> NDArray[np.float32]:
+def outward(mesh: Mesh) -> Floats:
     """(V,) for each vertex +1 where its normal points out of its component, -1 where it points
     into it, 0 where the component encloses next to nothing: a sheet has no outside.
 

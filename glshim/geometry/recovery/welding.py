@@ -9,11 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.recovery.components import components
-
-Floats = NDArray[np.float32]
-Doubles = NDArray[np.float64]
-Indices = NDArray[np.int32]
-Keys = NDArray[np.uint64]
+from glshim.model.arrays import Doubles, Floats, Indices, Keys, Rows
 
 _SPREAD = np.uint64(0x9E3779B97F4A7C15)
 """An odd number that spreads keys over 64 bits."""
@@ -85,7 +81,7 @@ def _equals(points: Floats) -> Indices:
     return leader
 
 
-def sorted_with(key: Keys, bits: int) -> tuple[NDArray[np.intp], Keys]:
+def sorted_with(key: Keys, bits: int) -> tuple[Rows, Keys]:
     """(N,) the order that sorts keys (N,) of so many bits, and the sorted keys."""
     room = len(key).bit_length()
     if bits + room > 64:
@@ -110,12 +106,12 @@ def mixed(columns: Iterable[NDArray[np.generic]]) -> Keys:
     return key
 
 
-def _starts(ordered: Keys) -> NDArray[np.intp]:
+def _starts(ordered: Keys) -> Rows:
     """Where the runs of equals begin in sorted keys."""
     return np.flatnonzero(np.concatenate(([True], ordered[1:] != ordered[:-1])))
 
 
-def _first_of_runs(order: NDArray[np.intp], ordered: Keys) -> Indices:
+def _first_of_runs(order: Rows, ordered: Keys) -> Indices:
     """(N,) the least of the items that have the same key as each: order sorts the keys."""
     starts = _starts(ordered)
     least = np.minimum.reduceat(order, starts)

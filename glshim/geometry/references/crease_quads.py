@@ -10,15 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.crease.creases import Creases
 from glshim.geometry.crease.smoothing_groups import following
 from glshim.geometry.references.thick_lines import INSIDE
-from glshim.model.vectors import Doubles, cross, dot, unit
-
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
+from glshim.model.arrays import Doubles, Flags, Indices
+from glshim.model.vectors import cross, dot, unit
 
 MITER = 4.0
 """Widths that a join reaches outwards at most; sharper ones end square."""

@@ -12,11 +12,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.model.arrays import Doubles, Flags, Indices
 from glshim.model.camera import Camera
-from glshim.model.vectors import Doubles, cross, dot
+from glshim.model.vectors import cross, dot
 
-Indices = NDArray[np.int32]
-Flags = NDArray[np.bool_]
 SHORTEST = 1e-3
 """Pixels of an edge that has a fin."""
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from glshim.model.vectors import Doubles, dot
+from glshim.model.arrays import Doubles, Flags
+from glshim.model.vectors import dot
 
 Parameters = Literal["object", "screen"]
 INSIDE = 1.0 - 1e-5
@@ -34,7 +34,7 @@ class Segments:
     """(E, 2) m1"""
     depths: Doubles
     """(E, 2) of both ends, -1 at the near plane."""
-    shown: NDArray[np.bool_]
+    shown: Flags
     """(E,) some of it lies between the planes."""
 
     @property
@@ -81,7 +81,7 @@ def segments(
         return Segments(start, finish, start_normal, finish_normal, depths, shown)
 
 
-def outwards(lines: Segments, within: Doubles, some: NDArray[np.bool_]) -> Segments:
+def outwards(lines: Segments, within: Doubles, some: Flags) -> Segments:
     """Normals of some edges (E,) turned away from places within their surface (E, 2): where a
     surface has two sides, the normals of contours may point to either."""
     p = lines.perpendicular
@@ -132,7 +132,7 @@ def _corners(lines: Segments, reach: Doubles) -> tuple[Doubles, Doubles]:
     )
 
 
-def fills(caps: Doubles) -> NDArray[np.bool_]:
+def fills(caps: Doubles) -> Flags:
     """(E,) which of caps (E, 3, 2) face the viewer."""
     a, b = caps[:, 1] - caps[:, 0], caps[:, 2] - caps[:, 0]
     return np.asarray(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0] > 0.0)

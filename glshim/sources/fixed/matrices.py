@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from glshim.model.arrays import Matrix
 from glshim.model.transforms import (
-    Matrix,
     column_major,
     frustum,
     orthographic,

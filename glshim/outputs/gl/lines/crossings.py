@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from glshim.geometry.edges.edges import Doubles, Flags, Indices, join
+from glshim.geometry.edges.edges import join
 from glshim.linework import crossings
+from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
@@ -71,7 +71,6 @@ _PACKING = (
     (GL_PACK_SWAP_BYTES, 0), (GL_PACK_ROW_LENGTH, 0), (GL_PACK_SKIP_ROWS, 0),
     (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 4),
 )  # fmt: skip
-Floats = NDArray[np.float32]
 
 
 class _Body:
@@ -90,7 +89,7 @@ class _Body:
         return len(self.corners)
 
     @cached_property
-    def neighbours(self) -> Indices:
+    def neighbours(self) -> Rows:
         """(T, 3) the triangle at each side, -1 for none."""
         return crossings.neighbours(self.corners, self.owner)
 
@@ -127,7 +126,7 @@ class _Scene:
         self.state = state
         """Equal states are equal scenes; None: this one is seen once."""
 
-    def __getitem__(self, index: Indices, /) -> Doubles:
+    def __getitem__(self, index: Rows, /) -> Doubles:
         found = np.empty((len(index), 3, 3))
         which = np.searchsorted(self.first, index, side="right") - 1
         for at in np.flatnonzero(np.bincount(which)).tolist():
@@ -135,13 +134,13 @@ class _Scene:
             found[rows] = _moved(chunk.corners[index[rows] - self.first[at]], chunk.modelview)
         return found
 
-    def of_one_mesh(self, pairs: Indices) -> Flags:
+    def of_one_mesh(self, pairs: Rows) -> Flags:
         """(N,) whether both triangles of pairs (N, 2) come from one batch."""
         which = np.searchsorted(self._starts, pairs, side="right") - 1
         owner = np.concatenate([body.owner for body in self._bodies])[pairs]
         return np.asarray((which[:, 0] == which[:, 1]) & (owner[:, 0] == owner[:, 1]))
 
-    def neighbours(self, pairs: Indices) -> Indices:
+    def neighbours(self, pairs: Rows) -> Rows:
         """(T, 3) the triangle at each side, of bodies that are named in pairs; else -1."""
         first = self._starts
         beside = np.full((int(first[-1]), 3), -1, np.intp)
@@ -163,7 +162,7 @@ class Crossings:
         self._bodies: AgingCache[_Body] = AgingCache(cache_bytes, drop=_Body.release)
         self._programs: dict[tuple[int, bool], Program] = {}
         self._ring = Ring(1 << 16)
-        self._last: tuple[Hashable, Indices, Floats] | None = None
+        self._last: tuple[Hashable, Rows, Floats] | None = None
         self._targets = tuple(
             RenderTarget(kind, (GL_DEPTH_COMPONENT32F,), unit=_UNIT)
             for kind in (GL_RGBA32UI, GL_RG32UI)
@@ -241,7 +240,7 @@ class Crossings:
 
     def _seeds(
         self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
-    ) -> Indices:
+    ) -> Rows:
         """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
         `_FRONT` where they face the viewer."""
         draw, read = integer(GL_DRAW_FRAMEBUFFER_BINDING), integer(GL_READ_FRAMEBUFFER_BINDING)
@@ -320,7 +319,7 @@ def _moved(corners: Floats, modelview: Doubles) -> Doubles:
     return np.asarray(points + modelview[:3, 3]).reshape(-1, 3, 3)
 
 
-def _lines(scene: _Scene, seeds: Indices) -> Floats:
+def _lines(scene: _Scene, seeds: Rows) -> Floats:
     """(L, 21) line records of seeds (N, 2) and what follows from them."""
     numbers = seeds & (_FRONT - 1)
     crossing, near = crossings.sift(scene, numbers)

@@ -1,0 +1,22 @@
+"""Names for the arrays of numbers that the rooms hand on: one name a type, everywhere."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+"""What programs send and what the GPU gets."""
+Doubles = NDArray[np.float64]
+"""What formulas compute with."""
+Matrix = NDArray[np.float64]
+"""(4, 4), acting on column vectors."""
+Complexes = NDArray[np.complex128]
+"""Points or directions in the window, x + iy, pixels."""
+Indices = NDArray[np.int32]
+"""Numbers of vertices, polygons, triangles or halfedges, as index buffers hold them."""
+Rows = NDArray[np.intp]
+"""Rows of another array, as numpy finds them."""
+Flags = NDArray[np.bool_]
+Keys = NDArray[np.uint64]
+"""What is sorted or compared in place of something longer."""
