@@ -16,7 +16,7 @@ import numpy as np
 
 from glshim.geometry.edges.edges import Edges
 from glshim.geometry.edges.folds import FLAT, Folds, Topology
-from glshim.geometry.edges.gather import Places
+from glshim.geometry.edges.gather import Placement
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.linework.chains import measure
 from glshim.linework.coherence import Drawn, Past, follow, keep
@@ -24,11 +24,11 @@ from glshim.linework.hand import begun_anywhere, lifts, own_numbers
 from glshim.linework.polygon_lines import (
     SHARP,
     Seen,
-    alone_of,
     are_similarities,
     run_on,
     seams_of,
-    together,
+    shared_edge_lines,
+    single_side_lines,
 )
 from glshim.linework.smooth_lines import SmoothPieces
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
@@ -271,14 +271,14 @@ def _across(
     if not sum(map(len, rims)):
         return no_lines()
     seams = seams_of(rims)
-    seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
+    seen = Seen(seams, Placement.one(np.eye(4), len(seams.planes)), camera)
     choice = Choice(
         silhouettes=wanted.contours,
         ridge_angle=wanted.ridge_angle,
         valley_angle=wanted.valley_angle,
     )
-    folds = alone_of(seams.singles, seen, replace(choice, silhouettes=False))
-    found = seen.records(together(seams, seen, choice) + folds)
+    folds = single_side_lines(seams.singles, seen, replace(choice, silhouettes=False))
+    found = seen.records(shared_edge_lines(seams, seen, choice) + folds)
     if not wanted.boundary:
         return found
     alone = seen.records([(FIN, seams.singles, None)])

@@ -7,7 +7,7 @@ from collections.abc import Hashable
 import numpy as np
 
 from glshim.geometry.edges.edges import Edges, edges, edges_of_each, join
-from glshim.geometry.edges.gather import Places, together
+from glshim.geometry.edges.gather import Placement, merged
 from glshim.linework.coherence import Past, kept_with, latest
 from glshim.linework.feature_lines import feature_lines, names_of
 from glshim.linework.groups import Group
@@ -23,7 +23,7 @@ _LARGE = 4096
 """Corners from which a batch is looked through on its own rather than gathered with others."""
 
 
-class Harvest:
+class LineFinder:
     """Finds lines. cache_bytes bounds the memory of the edges of batches with a key."""
 
     def __init__(self, cache_bytes: int) -> None:
@@ -61,7 +61,7 @@ class Harvest:
         parts = []
         for batch, camera in large:
             found = self._edges(batch)
-            parts.append((found, Places.one(camera.modelview, len(found.planes))))
+            parts.append((found, Placement.one(camera.modelview, len(found.planes))))
         if small:
             parts.append(self._gathered(small))
         return lines(parts, group.camera, wanted)
@@ -92,7 +92,7 @@ class Harvest:
             found = self._cache.put(key, made, made.nbytes)
         return found
 
-    def _gathered(self, items: list[Item]) -> tuple[Edges, Places]:
+    def _gathered(self, items: list[Item]) -> tuple[Edges, Placement]:
         """The edges of many small batches, each where it stands."""
         kept = [item for item in items if item[0].key is not None]
         passing: dict[int, list[Item]] = {}
@@ -103,7 +103,7 @@ class Harvest:
         if kept:
             keys = tuple(batch.key for batch, _ in kept)
             if self._crowd is None or keys != self._crowd[0]:
-                self._crowd = (keys, *together([self._edges(batch) for batch, _ in kept]))
+                self._crowd = (keys, *merged([self._edges(batch) for batch, _ in kept]))
             parts.append(self._crowd[1])
             owners.append(self._crowd[2])
         if passing:
@@ -114,4 +114,4 @@ class Harvest:
             owners.append(owner + np.int32(len(kept)))
         cameras = [camera for _, camera in kept] + [alike[0][1] for alike in passing.values()]
         modelviews = np.stack([camera.modelview for camera in cameras])
-        return together(parts)[0], Places(np.concatenate(owners), modelviews)
+        return merged(parts)[0], Placement(np.concatenate(owners), modelviews)

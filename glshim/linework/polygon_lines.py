@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from glshim.geometry.edges.edges import Edges, neighbours
-from glshim.geometry.edges.gather import Places
+from glshim.geometry.edges.gather import Placement
 from glshim.linework.chains import link, measure
 from glshim.linework.hand import own_numbers
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
@@ -44,7 +44,7 @@ _Found = list[tuple[int, Rows, Rows | None]]
 """Lines of a kind: their sides, and the other polygon's sides on the same edges."""
 
 
-def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice) -> Floats:
+def lines(parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choice) -> Floats:
     """(L, 21) float32 records of the lines, eye space; see `RECORD`. All but intersections.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
@@ -61,18 +61,19 @@ def lines(parts: Sequence[tuple[Edges, Places]], camera: Camera, choice: Choice)
         seen = Seen(edges, places, camera)
         if not choice.connectivity:
             everything = np.arange(len(edges), dtype=np.intp)
-            records.append(seen.records(alone_of(everything, seen, choice)))
+            records.append(seen.records(single_side_lines(everything, seen, choice)))
             continue
-        found = together(edges, seen, choice)
+        found = shared_edge_lines(edges, seen, choice)
         if several:
             lone.append(seen.moved(edges.singles))
         else:
-            found += alone_of(edges.singles, seen, choice)
+            found += single_side_lines(edges.singles, seen, choice)
         records.append(seen.records(found))
     if lone and sum(map(len, lone)):
         seams = seams_of(lone)
-        seen = Seen(seams, Places.one(np.eye(4), len(seams.planes)), camera)
-        found = together(seams, seen, choice) + alone_of(seams.singles, seen, choice)
+        seen = Seen(seams, Placement.one(np.eye(4), len(seams.planes)), camera)
+        found = shared_edge_lines(seams, seen, choice)
+        found += single_side_lines(seams.singles, seen, choice)
         records.append(seen.records(found))
     whole = np.concatenate(records) if records else no_lines()
     run_on(whole)
@@ -101,7 +102,7 @@ def run_on(records: Floats) -> None:
 class Seen:
     """The sides of one `Edges` as a camera sees them."""
 
-    def __init__(self, edges: Edges, places: Places, camera: Camera) -> None:
+    def __init__(self, edges: Edges, places: Placement, camera: Camera) -> None:
         self.edges, self._places, self._camera = edges, places, camera
         centres = places.centres(camera)[places.polygon]
         ccw = np.einsum("pi,pi->p", edges.planes, centres) > 0.0
@@ -198,7 +199,7 @@ class Seen:
         return self._places.polygon[self.edges.polygon[sides]]
 
 
-def alone_of(sides: Rows, seen: Seen, choice: Choice) -> _Found:
+def single_side_lines(sides: Rows, seen: Seen, choice: Choice) -> _Found:
     """Lines of sides that know no neighbour."""
     found: _Found = []
     ahead = sides[seen.front[sides]]
@@ -211,7 +212,7 @@ def alone_of(sides: Rows, seen: Seen, choice: Choice) -> _Found:
     return found
 
 
-def together(edges: Edges, seen: Seen, choice: Choice) -> _Found:
+def shared_edge_lines(edges: Edges, seen: Seen, choice: Choice) -> _Found:
     """Lines of edges with two and more sides."""
     found: _Found = []
     first, second = edges.pairs

@@ -50,8 +50,8 @@ OUTLINES = (RING, CONTOUR, HOLLOW, FIN)
 RING: the enlargement of a polygon beyond a side (Raskar 2001, section 2.1) at a sharp edge. At the
 foot of a box it lies on the floor.
 CONTOUR: the same where the surface turns away smoothly.
-HOLLOW: the same where the fold is hollow on the winding side: hidden in a solid, seen in a sheet or
-where the windings are inside out, so only well before what lies behind it.
+HOLLOW: the same where the fold is hollow on the winding side: hidden in a solid, seen in an open
+surface or where the windings are inside out, so only well before what lies behind it.
 FIN: the outline of an open side, but not where what is drawn beside it meets it: a neighbour may be
 there after all (a seam, a T-junction).
 RIDGE, VALLEY: an edge whose two polygons are known to fold below or above the threshold.

@@ -92,6 +92,13 @@ def test_stylers_see_values_formulas_and_the_protocol() -> None:
     assert strangers(sources("stylers"), allowed) == []
 
 
+def test_references_of_shaders_are_for_tests_alone() -> None:
+    room = "glshim.geometry.references"
+    shipped = sources("glshim", "stylers", "demo_apps")
+    users = [path for path in shipped if any(is_below(name, room) for name in imports(path))]
+    assert [path for path in users if path.parent.name != "references"] == []
+
+
 def test_every_folder_is_a_room() -> None:
     folders = {p.name for p in (ROOT / "glshim").iterdir() if any(p.rglob("*.py"))}
     assert folders - {"__pycache__"} <= {*ROOMS}

@@ -82,7 +82,7 @@ def lengths(backend, mesh, camera=CAMERA, **options):
     text = medium.shader.vertex.replace("if (!seen_at", "if (false && seen_at")
     shader = replace(medium.shader, vertex=text)
     (group,) = grouped([last])
-    records = backend._harvest.records(group)
+    records = backend._finder.records(group)
     found = CapturingPen().varyings(
         records, replace(camera, depth_range=(0.0, 1.0)), shader, medium.uniforms,
         {"dimension": 2}, hair=hair_of(24),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.linework import crossings as geometry
+from glshim.linework import intersections as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard

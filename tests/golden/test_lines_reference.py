@@ -12,7 +12,7 @@ import pytest
 
 from glshim.geometry import raskar
 from glshim.geometry.edges.edges import edges
-from glshim.geometry.edges.gather import Places
+from glshim.geometry.edges.gather import Placement
 from glshim.linework.polygon_lines import lines
 from glshim.model.camera import Camera
 from glshim.model.lines import FIN, INTERSECTION, LONE_RIDGE, OUTLINES, RIDGE, RING, VALLEY
@@ -59,7 +59,7 @@ def cameras():
 def records_of(mesh, camera, angle):
     """Lines of every kind: with neighbours, without, and some as if they were intersections."""
     found = edges(mesh)
-    parts = [(found, Places.one(camera.modelview, len(found.planes)))]
+    parts = [(found, Placement.one(camera.modelview, len(found.planes)))]
     choice = Choice(silhouettes=True, ridge_angle=angle, valley_angle=2 * np.pi - angle)
     known = lines(parts, camera, choice)
     alone = lines(parts, camera, dataclasses.replace(choice, connectivity=False))

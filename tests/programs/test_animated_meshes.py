@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from demo_apps import bending_arm
-from glshim.linework.crossings import neighbours, segments
+from glshim.linework.intersections import neighbours, segments
 
 figure = importlib.import_module("demo_apps.08_figure")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from glshim.geometry.edges.edges import edges
-from glshim.geometry.edges.gather import Places
+from glshim.geometry.edges.gather import Placement
 from glshim.linework.chains import measure
 from glshim.linework.polygon_lines import lines
 from glshim.model.camera import Camera
@@ -183,7 +183,7 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
     for direction in look.directions(6):
         camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, SIZE, SIZE))
         choice = Choice(silhouettes=True, pattern=pattern(12.0))
-        found = lines([(mesh, Places.one(camera.modelview, len(mesh.planes)))], camera, choice)
+        found = lines([(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera, choice)
         found = found[np.isin(found[:, 15], OUTLINES)]
         jumps = joints(found[:, 0:3], found[:, 3:6], found[:, 16], found[:, 17])
         assert len(jumps) >= len(found)
@@ -194,7 +194,7 @@ def test_without_a_pattern_nothing_is_measured():
     mesh = edges(look.torus())
     camera = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, SIZE, SIZE))
     found = lines(
-        [(mesh, Places.one(camera.modelview, len(mesh.planes)))], camera,
+        [(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera,
         Choice(silhouettes=True, ridge_angle=2.0),
     )
     assert not found[:, 16:20].any()

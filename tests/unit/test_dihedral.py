@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from glshim.geometry.edges.edges import edges
-from glshim.geometry.edges.gather import Places
+from glshim.geometry.edges.gather import Placement
 from glshim.geometry.meshshaders.edge_mesh import RIDGE as RIDGE_BIT
 from glshim.geometry.meshshaders.edge_mesh import VALLEY as VALLEY_BIT
 from glshim.geometry.meshshaders.edge_mesh import edge_mesh, features
@@ -93,13 +93,13 @@ def by_polygons(kind, threshold, angle):
     parts = []
     for part, place in as_two(angle):
         found = edges(part)
-        parts.append((found, Places.one(camera.modelview @ place, len(found.planes))))
+        parts.append((found, Placement.one(camera.modelview @ place, len(found.planes))))
     yield lines(parts, camera, choice)
 
 
 def one_part(batch, modelview, camera, choice):
     found = edges(batch)
-    return lines([(found, Places.one(modelview, len(found.planes)))], camera, choice)
+    return lines([(found, Placement.one(modelview, len(found.planes)))], camera, choice)
 
 
 def by_meshes(kind, threshold, angle):

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from glshim.geometry.edges.edges import dihedral, edges, edges_of_each, join
-from glshim.geometry.edges.gather import Places, together
+from glshim.geometry.edges.gather import Placement, merged
 from glshim.linework.polygon_lines import lines
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera, cofactors
@@ -44,7 +44,8 @@ def moved(batch, modelview):
 
 def choose(found, seen, choice, places=None):
     """Lines of one part, under the camera's own modelview or in places."""
-    return lines([(found, places or Places.one(seen.modelview, len(found.planes)))], seen, choice)
+    places = places or Placement.one(seen.modelview, len(found.planes))
+    return lines([(found, places)], seen, choice)
 
 
 def kinds(records):
@@ -320,14 +321,14 @@ def test_batches_in_their_places_have_the_lines_of_moved_batches(projection):
     modelviews[5] = modelviews[3] @ np.diag([2.0, 2, 2, 1])
     modelviews[6, :3, :3] = np.diag([1.0, 1, 0])
     meshes = [(look.cube(), look.torus(), look.bowl())[k % 3] for k in range(7)]
-    whole, owner = together([edges(mesh) for mesh in meshes])
+    whole, owner = merged([edges(mesh) for mesh in meshes])
     eye = camera(np.eye(4), projection)
     choice = Choice(silhouettes=True, ridge_angle=np.radians(100.0))
-    found = choose(whole, eye, choice, Places(owner, modelviews))
+    found = choose(whole, eye, choice, Placement(owner, modelviews))
     for k in range(6):
         alone = choose(edges(meshes[k]), camera(modelviews[k], projection), choice)
-        one, index = together([edges(meshes[k])])
-        here = choose(one, eye, choice, Places(index, modelviews[k : k + 1]))
+        one, index = merged([edges(meshes[k])])
+        here = choose(one, eye, choice, Placement(index, modelviews[k : k + 1]))
         assert np.allclose(here, alone, atol=1e-4)
     assert len(found) >= sum(
         len(choose(edges(meshes[k]), camera(modelviews[k], projection), choice)) for k in range(6)
@@ -385,7 +386,7 @@ def test_cutting_a_mesh_into_objects_changes_no_line(name):
         some = [p for p, owner in zip(polygons, dealt, strict=True) if owner == number]
         if some:
             part = edges(moved(look.batch(mesh.positions, some), np.linalg.inv(space)))
-            parts.append((part, Places.one(seen.modelview @ space, len(part.planes))))
+            parts.append((part, Placement.one(seen.modelview @ space, len(part.planes))))
     cut = lines(parts, seen, choice)
     assert len(cut) == len(whole)
     one, other = places(whole), places(cut)

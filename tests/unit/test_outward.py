@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.geometry.recovery.outward import way_out
+from glshim.geometry.recovery.outward import outward_sign
 
 
 def box(size=1.0):
@@ -31,18 +31,18 @@ def floor(size=30.0):
 @pytest.mark.parametrize("turned", [1, -1])
 def test_of_a_body_on_a_floor_the_body_says(turned):
     body = box()[:, ::turned]
-    assert way_out(body) == turned
-    assert way_out(np.concatenate((body, floor()))) == turned
-    assert way_out(np.concatenate((floor(), body, box(0.3)[:, ::turned] + 4.0))) == turned
+    assert outward_sign(body) == turned
+    assert outward_sign(np.concatenate((body, floor()))) == turned
+    assert outward_sign(np.concatenate((floor(), body, box(0.3)[:, ::turned] + 4.0))) == turned
 
 
 def test_a_sheet_has_no_outside():
-    assert way_out(floor()) == 0.0
-    assert way_out(np.empty((0, 3, 3))) == 0.0
-    assert way_out(np.full((2, 3, 3), np.nan)) == 0.0
+    assert outward_sign(floor()) == 0.0
+    assert outward_sign(np.empty((0, 3, 3))) == 0.0
+    assert outward_sign(np.full((2, 3, 3), np.nan)) == 0.0
 
 
 def test_patches_that_miss_each_other_enclose_something_together():
     apart = box() * (1.0 + 1e-4 * np.arange(12)[:, None, None])
-    assert way_out(apart) == 1.0
-    assert way_out(apart[:, ::-1]) == -1.0
+    assert outward_sign(apart) == 1.0
+    assert outward_sign(apart[:, ::-1]) == -1.0

@@ -13,7 +13,7 @@ from glshim.model.camera import Camera, cofactors
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Places:
+class Placement:
     """Where the parts of an `Edges` stand: each has its own object space."""
 
     polygon: Indices
@@ -22,7 +22,7 @@ class Places:
     """(M, 4, 4) affine, object space to eye space."""
 
     @classmethod
-    def one(cls, modelview: Doubles, polygons: int) -> Places:
+    def one(cls, modelview: Doubles, polygons: int) -> Placement:
         """All polygons under one modelview (4, 4)."""
         return cls(np.zeros(polygons, np.int32), modelview[None])
 
@@ -44,7 +44,7 @@ class Places:
         return np.asarray(float(np.linalg.det(camera.projection)) * turn > 0.0)
 
 
-def together(parts: Sequence[Edges]) -> tuple[Edges, Indices]:
+def merged(parts: Sequence[Edges]) -> tuple[Edges, Indices]:
     """Several `Edges` as one, each with its own neighbours, and the part of every polygon (P,)."""
     counts = [len(part.planes) for part in parts]
     index = np.repeat(np.arange(len(parts), dtype=np.int32), counts)

@@ -128,7 +128,7 @@ class TriangleSieve:
         mesh = creases.mesh
         self._facing = Facing(mesh)
         self._creased = np.flatnonzero(creases.sides.any(axis=1))
-        self._sheet = ~mesh.closed[self._creased]
+        self._open = ~mesh.closed[self._creased]
         inside_out = outward(mesh)[mesh.triangles[self._creased, 0]] < 0.0
         self._away = np.where(inside_out, np.uint8(_FRONT), np.uint8(_BACK))
         points = mesh.positions[creases.vertices].astype(np.float64)
@@ -143,7 +143,7 @@ class TriangleSieve:
         found = np.zeros(self._triangles.shape[1], np.bool_)
         if wanted & CREASE:
             facing = self._facing.seen(eye).take(self._creased)
-            found[self._creased] = self._sheet | (facing != self._away)
+            found[self._creased] = self._open | (facing != self._away)
         if wanted & SMOOTH:
             value = _at(eye, self._planes)
             slack = np.float32(_ROUNDING * reach_of(eye, self._radius))

@@ -17,7 +17,7 @@ _HOLLOW = 0.01
 
 def outward(mesh: Mesh) -> Floats:
     """(V,) for each vertex +1 where its normal points out of its component, -1 where it points
-    into it, 0 where the component encloses next to nothing: a sheet has no outside.
+    into it, 0 where the component encloses next to nothing: an open surface has no outside.
 
     The sign is that of the volume that the component encloses seen from its middle, which holds
     for a bowl or a bent pipe too.
@@ -31,7 +31,7 @@ def outward(mesh: Mesh) -> Floats:
     return found
 
 
-def way_out(triangles: NDArray[np.floating]) -> float:
+def outward_sign(triangles: NDArray[np.floating]) -> float:
     """+1 where the normals of triangles (T, 3, 3) point out of what they enclose, -1 where they
     point into it, 0 where that is next to nothing. What hangs together by equal corners is taken
     by itself, as a floor under a figure encloses nothing; where none of it does, all as one."""

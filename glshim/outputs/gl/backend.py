@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import RenderError
-from glshim.linework.finder import Harvest
+from glshim.linework.finder import LineFinder
 from glshim.linework.groups import Group, grouped
 from glshim.linework.polygon_lines import lay_pattern
 from glshim.model.camera import Camera
@@ -51,7 +51,7 @@ class Backend:
     def __init__(self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int) -> None:
         self.pen = pen
         self._crossings = crossings
-        self._harvest = Harvest(cache_bytes)
+        self._finder = LineFinder(cache_bytes)
         self._depth = DepthCopy()
         self._canvas = Canvas(modern=isinstance(pen, Pen))
         self._textures = Textures()
@@ -92,7 +92,7 @@ class Backend:
         where GL cannot draw now (a list being compiled, selection, a full attribute stack). Raises
         `RenderError` when a shader does not compile.
         """
-        self._harvest.tick()
+        self._finder.tick()
         self._met.clear()
         if self._crossings is not None:
             self._crossings.tick()
@@ -127,7 +127,7 @@ class Backend:
             say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
             return
         if self._runner is None:
-            self._runner = Runner(self._harvest.objects, self._cache_bytes)
+            self._runner = Runner(self._finder.objects, self._cache_bytes)
         for camera, some in _by_stencil(passes):
             self._runner.run(
                 some, window, box, self._depth, self._textures,
@@ -149,7 +149,7 @@ class Backend:
         self._canvas.open(box)
         for group in groups:
             medium = group.medium
-            records = self._harvest.records(group)
+            records = self._finder.records(group)
             crossing = isinstance(group.wanted, Choice) and group.wanted.intersections
             if crossing and self._crossings is None:
                 say_once(f"{UNAVAILABLE}; the other lines are drawn")

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import RenderError
-from glshim.geometry.recovery.outward import way_out
+from glshim.geometry.recovery.outward import outward_sign
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
@@ -84,7 +84,7 @@ _SHADED = (
 """What changes colours or lines of the fixed function, besides what `plainly` turns off."""
 
 _Fans = tuple[NDArray[np.float32], NDArray[np.uint8], float]
-"""Points, edge flags and the way out (`way_out`)."""
+"""Points, edge flags and the way out (`outward_sign`)."""
 
 
 class FixedPen:
@@ -168,7 +168,7 @@ class FixedPen:
         known = None if batch.key is None else self._known.get(batch.key)
         if known is None:
             points, flags = fans(batch)
-            known = points, flags, way_out(points)
+            known = points, flags, outward_sign(points)
             if batch.key is not None:
                 self._known.put(batch.key, known, points.nbytes + flags.nbytes)
         return known

@@ -3,7 +3,7 @@
 Raskar 2001, section 2.4, in two passes over the polygons. The first notes the visible triangle of
 each pixel. The second traps those that lie between it and a second depth, and notes both: the
 paper's test per pixel, but it yields which polygons cross rather than black pixels. Their common
-segments are lines like any other (`glshim.linework.crossings`).
+segments are lines like any other (`glshim.linework.intersections`).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 
 from glshim.geometry.edges.edges import join
-from glshim.linework import crossings
+from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
@@ -91,7 +91,7 @@ class _Body:
     @cached_property
     def neighbours(self) -> Rows:
         """(T, 3) the triangle at each side, -1 for none."""
-        return crossings.neighbours(self.corners, self.owner)
+        return intersections.neighbours(self.corners, self.owner)
 
     def release(self) -> None:
         """Free the memory on the GPU."""
@@ -113,7 +113,7 @@ class _Chunk:
 
 
 class _Scene:
-    """Triangles of a group, numbered through. An `crossings.Triangles` in eye space."""
+    """Triangles of a group, numbered through. An `intersections.Triangles` in eye space."""
 
     def __init__(
         self, chunks: Sequence[_Chunk], bodies: Sequence[_Body], state: Hashable | None
@@ -151,7 +151,7 @@ class _Scene:
             beside[first[at] : first[at + 1]] = np.where(own >= 0, own + first[at], -1)
         if len(named) > 1:
             among = [np.arange(first[at], first[at + 1]) for at in named]
-            crossings.bridge(self, beside, np.concatenate(among))
+            intersections.bridge(self, beside, np.concatenate(among))
         return beside
 
 
@@ -290,7 +290,7 @@ class Crossings:
         for plane in range(len(planes)):
             gl.glDisable(GL_CLIP_PLANE0 + plane)
         code = noted.view(np.uint64)[:, 0]
-        code = crossings.distinct(code[code != 0])
+        code = intersections.distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
     def _program(self, planes: int, trap: bool) -> Program:
@@ -322,15 +322,15 @@ def _moved(corners: Floats, modelview: Doubles) -> Doubles:
 def _lines(scene: _Scene, seeds: Rows) -> Floats:
     """(L, 21) line records of seeds (N, 2) and what follows from them."""
     numbers = seeds & (_FRONT - 1)
-    crossing, near = crossings.sift(scene, numbers)
+    crossing, near = intersections.sift(scene, numbers)
     if not crossing.any():  # as a rule: neighbours are not even looked for
         return np.empty((0, RECORD), np.float32)
     beside = scene.neighbours(numbers)
     # Along its silhouette a mesh's front and back lie near each other: no need to go and look.
     near &= ((seeds[:, 0] ^ seeds[:, 1]) & _FRONT == 0) | ~scene.of_one_mesh(numbers)
-    closer = crossings.approach(scene, beside, numbers[near])
-    followed = crossings.trace(scene, beside, np.concatenate((numbers[crossing], closer)))
-    return crossings.records(scene, beside, followed)
+    closer = intersections.approach(scene, beside, numbers[near])
+    followed = intersections.trace(scene, beside, np.concatenate((numbers[crossing], closer)))
+    return intersections.records(scene, beside, followed)
 
 
 def _place(camera: Camera, box: Box) -> None:

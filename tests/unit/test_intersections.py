@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from glshim.linework import crossings
+from glshim.linework import intersections
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD
 from glshim.outputs.gl.frame.laying import triangles as fans
 from tests import look
@@ -40,7 +40,7 @@ def scene(*meshes, own=True):
     """All triangles, their neighbours (each mesh its own when own), and all pairs."""
     corners = np.concatenate(meshes)
     owner = np.repeat(np.arange(len(meshes), dtype=np.int32), [len(m) for m in meshes])
-    beside = crossings.neighbours(corners.astype(np.float32), owner if own else None)
+    beside = intersections.neighbours(corners.astype(np.float32), owner if own else None)
     first, second = np.triu_indices(len(corners), 1)
     low, high = corners.min(axis=1) - 1e-3, corners.max(axis=1) + 1e-3
     meet = ((low[first] <= high[second]) & (low[second] <= high[first])).all(axis=1)
@@ -49,7 +49,7 @@ def scene(*meshes, own=True):
 
 def found(*meshes, own=True):
     """(M, 2, 3) the segments among all pairs."""
-    return crossings.segments(*scene(*meshes, own=own))[0]
+    return intersections.segments(*scene(*meshes, own=own))[0]
 
 
 def length(segments):
@@ -181,27 +181,27 @@ def test_one_mesh_that_crosses_itself():
 def test_curves_are_followed_from_one_pair():
     """A dense sphere in a dense floor, from a single seed: all of the circle, nothing else."""
     corners, beside, pairs = scene(moved(look.sphere(48, 25, radius=1.0)), moved(plate(12)))
-    _, rows = crossings.segments(corners, beside, pairs)
+    _, rows = intersections.segments(corners, beside, pairs)
     traced = pairs[rows[:1]]
     for _ in range(8):
-        traced = crossings.trace(corners, beside, traced)
-    got, _ = crossings.segments(corners, beside, traced)
+        traced = intersections.trace(corners, beside, traced)
+    got, _ = intersections.segments(corners, beside, traced)
     assert len(got) == len(rows) and closed(got)
     assert len(traced) < 6 * len(rows)
 
 
 def test_contact_is_not_followed_over_whole_meshes():
     corners, beside, pairs = scene(moved(look.sphere(48, 25)))
-    assert len(crossings.trace(corners, beside, pairs[:50])) <= 50
+    assert len(intersections.trace(corners, beside, pairs[:50])) <= 50
 
 
 def test_neighbours_of_a_tetrahedron():
     corners = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], np.float32)
     faces = corners[[(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]]
-    beside = crossings.neighbours(faces)
+    beside = intersections.neighbours(faces)
     assert beside[0].tolist() == [3, 2, 1]
     assert (beside >= 0).all()
-    assert crossings.neighbours(faces[1:])[0].tolist() == [-1, 1, 2]
+    assert intersections.neighbours(faces[1:])[0].tolist() == [-1, 1, 2]
 
 
 def test_against_a_slow_check():
@@ -209,7 +209,7 @@ def test_against_a_slow_check():
     corners = random.uniform(-1, 1, (60, 3, 3))
     beside = np.full((60, 3), -1)
     pairs = np.stack(np.triu_indices(60, 1), axis=1)
-    got, rows = crossings.segments(corners, beside, pairs)
+    got, rows = intersections.segments(corners, beside, pairs)
     slow = {row: s for row, pair in enumerate(pairs) if (s := _slow(*corners[pair])) is not None}
     assert len(rows) > 100 and set(rows) == set(slow)
     for row, ends in zip(rows, got, strict=True):
@@ -234,7 +234,7 @@ def test_records():
     corners, beside, pairs = scene(
         moved(plate()), moved(plate(half=0.5), turned(np.pi / 2, 0, 0), (0.1, 0.2, 0.1))
     )
-    made = crossings.records(corners, beside, pairs)
+    made = intersections.records(corners, beside, pairs)
     assert made.shape[1] == RECORD and made.dtype == np.float32
     assert (made[:, 3:6] == made[:, 6:9]).all()
     assert np.allclose(np.abs(made[:, 9:12]), (0, 0, 1), atol=1e-6)
@@ -245,6 +245,6 @@ def test_records():
 
 def test_nothing_comes_of_nothing():
     empty = np.empty((0, 3, 3))
-    beside = crossings.neighbours(empty.astype(np.float32))
-    pairs = crossings.trace(empty, beside, np.empty((0, 2), np.intp))
-    assert crossings.records(empty, beside, pairs).shape == (0, RECORD)
+    beside = intersections.neighbours(empty.astype(np.float32))
+    pairs = intersections.trace(empty, beside, np.empty((0, 2), np.intp))
+    assert intersections.records(empty, beside, pairs).shape == (0, RECORD)
