@@ -17,6 +17,7 @@ from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.programs import Program
 from glshim.outputs.gl.frame.cameras import inputs_of
 from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.outputs.gl.lines.pen import Pen, stages
 from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.runner import BY_INDEX, Ready, Runner, issue
@@ -52,7 +53,7 @@ class CapturingPen(Pen):
             self._programs.clear()
         self._names, self._found = names, None
         with Guard():
-            self.draw(records, camera, shader, uniforms, DepthCopy(), away=1.0, hair=hair)
+            self.draw(records, camera, shader, uniforms, Frame(DepthCopy(), hair))
         assert self._found is not None, "this camera sees nothing"
         return self._found
 
@@ -84,9 +85,7 @@ class CapturingRunner(Runner):
             super().__init__(Objects(1 << 28), 1 << 28)
         self._captured: dict[tuple[str, ...], _Captured] = {}
 
-    def varyings(
-        self, one: Pass, names: Mapping[str, int], *, depth: DepthCopy, hair: float
-    ) -> list[dict[str, Rows]]:
+    def varyings(self, one: Pass, names: Mapping[str, int]) -> list[dict[str, Rows]]:
         """What the vertex shader of a pass makes of each body: (elements, vertices, size) by name,
         for names and their sizes (floats); with a geometry shader what that makes, (triangles, 3,
         size)."""
@@ -95,7 +94,7 @@ class CapturingRunner(Runner):
         found = []
         for body in one.bodies:
             camera = body.camera.affine()
-            inputs = inputs_of(camera, depth, away=1.0, hair=hair)
+            inputs = inputs_of(camera, Frame(DepthCopy(), 0.0))
             assert inputs is not None, "this camera sees nothing"
             gl.glBindVertexArray(self._array)
             ready = self._ready(one, replace(body, camera=camera), inputs)

@@ -19,7 +19,6 @@ from glshim.geometry.meshshaders.edge_mesh import features
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
-from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.passes import MeshShader, Pass, Primitives
 from glshim.styling.values import Body
@@ -71,7 +70,7 @@ def cameras(count: int = VIEWS) -> list[Camera]:
 def decided(run: CapturingRunner, one: Pass) -> np.ndarray:
     """(E,) bits as the GPU has them."""
     with Guard():
-        found = run.varyings(one, {"decided": 1}, depth=DepthCopy(), hair=0.0)
+        found = run.varyings(one, {"decided": 1})
     return found[0]["decided"][:, 0, 0].astype(np.uint8)
 
 

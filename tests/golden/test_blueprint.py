@@ -10,7 +10,7 @@ import pytest
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.frame.cameras import hair_of
+from glshim.outputs.gl.frame.frame import depth_margin
 from glshim.styling.protocol import Layer, Lines
 from stylers.blueprint import Blueprint
 from stylers.blueprint.dimensions import characters
@@ -85,7 +85,7 @@ def lengths(backend, mesh, camera=CAMERA, **options):
     records = backend._finder.records(group)
     found = CapturingPen().varyings(
         records, replace(camera, depth_range=(0.0, 1.0)), shader, medium.uniforms,
-        {"dimension": 2}, hair=hair_of(24),
+        {"dimension": 2}, hair=depth_margin(24),
     )  # fmt: skip
     told = found["dimension"][:, 0]
     return np.unique(told[told[:, 0] > 0.0][:, 0].round(4))

@@ -12,7 +12,6 @@ from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.geometry.references.crease_quads import crease_quads, silhouette_quads, silhouettes
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
-from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from stylers.crease import CREASES, SILHOUETTES
@@ -46,7 +45,7 @@ def emitted(run, mesh, camera, shader, width):
     style = wide(width, texture="pen")
     (one,) = (p for p in style.draws(Layer(((mesh, camera),))) if p.shader is shader)
     with Guard():
-        found = run.varyings(replace(one, sieve=None), NAMES, depth=DepthCopy(), hair=0.0)[0]
+        found = run.varyings(replace(one, sieve=None), NAMES)[0]
     assert np.allclose(found["gl_Position"][..., 3], 1.0)
     pairs = {name: rows.reshape(-1, 2, 3, rows.shape[-1]) for name, rows in found.items()}
     # Of a strip 0 1 2 3 feedback has the triangles 0 1 2 and 2 1 3.

@@ -14,7 +14,8 @@ from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.plain import OFF
 from glshim.outputs.gl.frame.depth import DepthCopy
-from glshim.outputs.gl.frame.laying import triangles as fans
+from glshim.outputs.gl.frame.depth_fill import triangles as fans
+from glshim.outputs.gl.frame.frame import Frame, depth_margin
 from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.spec.driver import gl
 from glshim.styling.lines import Medium
@@ -47,7 +48,7 @@ class Finder:
             self.depth.take((0, 0, SIZE, SIZE), 24)
             lines = Lines(Layer(items).bodies, Choice(intersections=True), Medium(SHADER))
             (group,) = grouped([lines])
-            found = self.crossings.find(group.items, greater=greater, bits=24)
+            found = self.crossings.find(group.items, Frame(self.depth, depth_margin(24), greater))
         assert GL.glGetError() == 0
         return found, depth
 

@@ -16,7 +16,6 @@ from glshim.geometry.references import thick_lines
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.guard import Guard
-from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from glshim.styling.values import Body
@@ -133,7 +132,7 @@ def test_quads_and_caps_are_equations_2_to_5(run, name, strokes, parameters, mak
     names = {"gl_Position": 4, "grain": 2}
     with Guard():
         quads, caps = (
-            run.varyings(passes[s], names, depth=DepthCopy(), hair=0.0)[0] for s in (QUAD, CAP)
+            run.varyings(passes[s], names)[0] for s in (QUAD, CAP)
         )
     turns = (radians(style.ridge_angle), radians(style.valley_angle))
     seen = seen_from(camera, (0.0, 0.0, 1.0, 0.0))

@@ -13,7 +13,6 @@ from glshim.geometry.recovery.mesh import mesh as recovered
 from glshim.geometry.references.fins import drawn_sides, facing, fins
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
-from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.styling.protocol import Layer
 from stylers.fins import Fins, as_printed
 from tests import look
@@ -90,7 +89,7 @@ def test_the_gpu_emits_the_reference(run, make, seen, joints, over):
     one = as_printed(one) if over == "triangles" else replace(one, sieve=None)
     names = {"gl_Position": 4, "reach": 3}
     with Guard():
-        found = run.varyings(one, names, depth=DepthCopy(), hair=0.0)[0]
+        found = run.varyings(one, names)[0]
     six = six_of(mesh)
     sides = drawn_sides(six, mesh.positions, camera)
     wanted = fins(

@@ -21,6 +21,7 @@ from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.frame.cameras import turned
 from glshim.outputs.gl.frame.canvas import Canvas
 from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.driver import gl
 from glshim.styling.media.ink import SHADER
 from glshim.styling.media.ink_expansion import expand
@@ -52,7 +53,7 @@ def cameras():
         "flipped": Camera(tilted, np.diag([1.0, -1, 1, 1]) @ lens, VIEW),
         "inside": Camera(look.look_at((0.9, 0.1, 0.05)), look.perspective(70, 16 / 9), VIEW),
         "clip planes": Camera(tilted, lens, VIEW, clip_planes=planes),
-        "greater depth": turned(Camera(tilted, lens, VIEW, depth_range=(0.9, 0.2)), True)[0],
+        "greater depth": turned(Camera(tilted, lens, VIEW, depth_range=(0.9, 0.2)), True),
     }
 
 
@@ -239,7 +240,7 @@ def test_coverage_is_what_the_gpu_draws(backend, name):
                 continue
             canvas.open(box)
             one = records[row : row + 1]
-            backend.pen.draw(one, camera, SHADER, uniforms, depth, away=1.0, hair=HAIR)
+            backend.pen.draw(one, camera, SHADER, uniforms, Frame(depth, HAIR))
             found = np.empty((height, width), np.uint8)
             gl.glPixelStorei(0x0D05, 1)
             gl.glReadPixels(*box, 0x1903, 0x1401, found.ctypes.data)

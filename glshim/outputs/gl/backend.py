@@ -18,14 +18,16 @@ from glshim.notices import say_once
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.device.textures import Textures
-from glshim.outputs.gl.frame.cameras import box_of, hair_of, scissor, stencil, turned
+from glshim.outputs.gl.frame.cameras import box_of, scissor, stencil, turned
 from glshim.outputs.gl.frame.canvas import Canvas
 from glshim.outputs.gl.frame.depth import Box, DepthCopy
-from glshim.outputs.gl.frame.laying import Layer
+from glshim.outputs.gl.frame.depth_fill import DepthFill
+from glshim.outputs.gl.frame.frame import Frame, depth_margin
 from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
+from glshim.outputs.output import WINDOW, Drawable
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_DEPTH_BITS,
@@ -41,7 +43,7 @@ from glshim.styling.passes import Pass
 from glshim.styling.values import Item, in_order
 from glshim.styling.wishes import Choice
 
-_LAID_BITS = 24
+_FILLED_BITS = 24
 """Bits of the depth buffer that stands in where a window has none."""
 
 
@@ -55,7 +57,7 @@ class Backend:
         self._depth = DepthCopy()
         self._canvas = Canvas(modern=isinstance(pen, Pen))
         self._textures = Textures()
-        self._layer: Layer | None = None
+        self._depth_fill: DepthFill | None = None
         self._runner: Runner | None = None
         self._met: dict[Hashable, NDArray[np.float32]] = {}
         """Where polygons of a group of the layer cross each other."""
@@ -85,7 +87,7 @@ class Backend:
                 text = f"no drawing in this context ({version_text()}): {error}"
                 raise RenderError(text) from error
 
-    def render(self, draws: Iterable[Lines | Pass]) -> None:
+    def render(self, draws: Iterable[Lines | Pass], drawable: Drawable = WINDOW) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
         Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
@@ -102,51 +104,44 @@ class Backend:
         items = [item for run in runs for item in run.items]
         if not items or not possible():
             return
-        box = box_of(camera for _, camera in items)
+        box = box_of((camera for _, camera in items), drawable.bounds)
         if not box[2] or not box[3]:
             return
         with Guard():
-            window = integer(GL_DRAW_FRAMEBUFFER_BINDING)
-            bits = integer(GL_DEPTH_BITS)
-            greater = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
-            plainly()
-            self._take_depth(items, box, bits, greater)
-            bits = bits or _LAID_BITS
+            frame = self._frame(box, items, drawable)
             for run in runs:
                 if run.passes:
-                    self._run(run.passes, window, box, bits, greater)
+                    self._run(run.passes, frame)
                 # The app's stencil test holds where the ink goes over its picture.
                 for _, alike in groupby(run.lines, key=lambda group: group.camera.stencil):
-                    self._ink(list(alike), window, box, bits, greater)
+                    self._ink(list(alike), frame)
 
-    def _run(
-        self, passes: list[Pass], window: int, box: Box, bits: int, greater: bool
-    ) -> None:
-        """Passes in turn, laid over the window."""
+    def _frame(self, box: Box, items: list[Item], drawable: Drawable) -> Frame:
+        """The framebuffer that is bound, and plain state for drawing over it."""
+        framebuffer = integer(GL_DRAW_FRAMEBUFFER_BINDING)
+        bits = integer(GL_DEPTH_BITS)
+        reversed_depth = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
+        plainly()
+        if not bits or not self._depth.take(box, bits):
+            if self._depth_fill is None:
+                self._depth_fill = DepthFill()
+            self._depth_fill.fill(self._depth, items, box, reversed_depth)
+        margin = depth_margin(bits or _FILLED_BITS)
+        return Frame(self._depth, margin, reversed_depth, framebuffer, box, drawable)
+
+    def _run(self, passes: list[Pass], frame: Frame) -> None:
+        """Passes in turn, laid over the frame."""
         if isinstance(self.pen, LegacyPen):
             say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
             return
         if self._runner is None:
             self._runner = Runner(self._finder.objects, self._cache_bytes)
         for camera, some in _by_stencil(passes):
-            self._runner.run(
-                some, window, box, self._depth, self._textures,
-                last=camera, greater=greater, hair=hair_of(bits),
-            )  # fmt: skip
+            self._runner.run(some, frame, self._textures, last=camera)
 
-    def _take_depth(self, items: list[Item], box: Box, bits: int, greater: bool) -> None:
-        """Have the layer's finished depth in a texture."""
-        if bits and self._depth.take(box, bits):
-            return
-        if self._layer is None:
-            self._layer = Layer()
-        self._layer.lay(items, self._depth, box, greater)
-
-    def _ink(
-        self, groups: list[Group], window: int, box: Box, bits: int, greater: bool
-    ) -> None:
-        """Gather the ink of groups and lay it over the window."""
-        self._canvas.open(box)
+    def _ink(self, groups: list[Group], frame: Frame) -> None:
+        """Gather the ink of groups and lay it over the frame."""
+        self._canvas.open(frame.box)
         for group in groups:
             medium = group.medium
             records = self._finder.records(group)
@@ -154,28 +149,25 @@ class Backend:
             if crossing and self._crossings is None:
                 say_once(f"{UNAVAILABLE}; the other lines are drawn")
             elif crossing and self._crossings:
-                records = np.concatenate((records, self._crossed(group, greater, bits)))
+                records = np.concatenate((records, self._crossed(group, frame)))
             if not len(records):
                 continue
-            camera, away = turned(group.camera, greater)
+            camera = turned(group.camera, frame.reversed_depth)
             if medium.image is not None:
                 self._textures.bind(medium.image)
-            scissor(camera, box)
-            self.pen.draw(
-                records, camera, medium.shader, group.uniforms, self._depth,
-                away=away, hair=hair_of(bits),
-            )  # fmt: skip
+            scissor(camera, frame.box)
+            self.pen.draw(records, camera, medium.shader, group.uniforms, frame)
         stencil(groups[0].camera)
         tidy = all(group.medium.image is None for group in groups)
-        self._canvas.put_over(window, box, tidy=tidy)
+        self._canvas.put_over(frame.framebuffer, frame.box, tidy=tidy)
 
-    def _crossed(self, group: Group, greater: bool, bits: int) -> NDArray[np.float32]:
+    def _crossed(self, group: Group, frame: Frame) -> NDArray[np.float32]:
         """Records of the crossings of a group's polygons, found once a layer."""
         name = group.name
         found = self._met.get(name)
         if found is None:
             assert self._crossings is not None
-            found = self._crossings.find(group.items, greater=greater, bits=bits)
+            found = self._crossings.find(group.items, frame)
             if group.wanted.pattern is not None:
                 lay_pattern(found, group.camera, group.wanted.pattern)
             self._met[name] = found

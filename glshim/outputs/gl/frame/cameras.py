@@ -12,31 +12,25 @@ from numpy.typing import NDArray
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.textures import STROKE_UNIT
 from glshim.outputs.gl.frame.depth import UNIT as DEPTH_UNIT
-from glshim.outputs.gl.frame.depth import DepthCopy
-from glshim.outputs.gl.frame.sheet import SHEET
+from glshim.outputs.gl.frame.depth import Box
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_STENCIL_TEST
 from glshim.spec.driver import gl
 
 MOST_CLIP_PLANES = 6
-_HAIR = 4.0
-"""Steps of the depth buffer between a line and the surface that it belongs to."""
+Size = tuple[int, int]
 
 
-def turned(camera: Camera, greater: bool) -> tuple[Camera, float]:
-    """The camera with its depth range turned so that greater is farther away, and the factor that
-    turns depths of the window (+1 or -1). greater: the app's depth test lets greater depths win."""
+def turned(camera: Camera, reversed_depth: bool) -> Camera:
+    """The camera with its depth range turned so that greater is farther away. reversed_depth:
+    farther is less depth."""
     near, far = camera.depth_range
-    away = -1.0 if greater else 1.0
-    return replace(camera, depth_range=(away * near, away * far)), away
+    return replace(camera, depth_range=(-near, -far)) if reversed_depth else camera
 
 
-def hair_of(bits: int) -> float:
-    """A few steps of a depth buffer in window depth; shaders have no more than 24 bits."""
-    return _HAIR / 2.0 ** min(bits, 24)
-
-
-def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
-    """The camera as uniforms (matrices columns first); None when nothing can be seen by it."""
+def view_of(camera: Camera, bounds: Size) -> dict[str, NDArray[np.float64]] | None:
+    """The camera as uniforms (matrices columns first); None when nothing can be seen by it.
+    bounds: pixels of the framebuffer, at most."""
     x, y, width, height = camera.viewport
     if min(width, height) <= 0:
         return None
@@ -53,45 +47,44 @@ def view_of(camera: Camera) -> dict[str, NDArray[np.float64]] | None:
         "viewpoint": camera.viewpoint,
         "viewport": np.array((x + half[0], y + half[1], *half)),
         "range": np.array(camera.depth_range),
-        "port": _port(x, y, width, height),
+        "port": _port(camera.viewport, bounds),
     }
     if camera.clip_planes:
         found["clip_planes"] = np.array(camera.clip_planes[:MOST_CLIP_PLANES])
     return found
 
 
-def inputs_of(
-    camera: Camera, depth: DepthCopy, *, away: float, hair: float
-) -> dict[str, Any] | None:
-    """The uniforms of the preludes of line shaders: those of `view_of`, and the finished depth."""
-    view = view_of(camera)
+def inputs_of(camera: Camera, frame: Frame) -> dict[str, Any] | None:
+    """The uniforms of the preludes of line shaders: those of `view_of`, and the finished depth. The
+    camera's depth range is turned (`turned`)."""
+    view = view_of(camera, frame.drawable.bounds)
     if view is None:
         return None
+    depth, drawable = frame.depth, frame.drawable
     return view | {
-        "away": away, "hair": hair, "blur": depth.blur, "finished_depth": DEPTH_UNIT,
-        "depth_size": tuple(map(float, depth.size)), "stroke": STROKE_UNIT,
-        "shot": (*SHEET.origin, SHEET.scale),
+        "away": frame.depth_sign, "hair": frame.depth_margin, "blur": depth.sample_offset,
+        "finished_depth": DEPTH_UNIT, "depth_size": tuple(map(float, depth.size)),
+        "stroke": STROKE_UNIT, "shot": (*drawable.origin, drawable.scale),
     }  # fmt: skip
 
 
-def box_of(cameras: Iterable[Camera]) -> tuple[int, int, int, int]:
-    """The least box (x, y, width, height, pixels of the framebuffer) around all viewports."""
+def box_of(cameras: Iterable[Camera], bounds: Size) -> Box:
+    """The least box around all viewports, in the bounds of the framebuffer."""
     ports = [camera.viewport for camera in cameras]
     x, y = (max(min(port[k] for port in ports), 0) for k in (0, 1))
-    right, top = (
-        min(max(port[k] + port[k + 2] for port in ports), SHEET.bounds[k]) for k in (0, 1)
-    )
+    right, top = (min(max(port[k] + port[k + 2] for port in ports), bounds[k]) for k in (0, 1))
     return x, y, max(right - x, 0), max(top - y, 0)
 
 
-def _port(x: int, y: int, width: int, height: int) -> NDArray[np.float64]:
+def _port(viewport: Box, bounds: Size) -> NDArray[np.float64]:
     """The least and the greatest pixel centre of a viewport that there are."""
-    right, top = (min(a, b) for a, b in zip((x + width, y + height), SHEET.bounds, strict=True))
+    x, y, width, height = viewport
+    right, top = (min(a, b) for a, b in zip((x + width, y + height), bounds, strict=True))
     return np.array((max(x, 0) + 0.5, max(y, 0) + 0.5, right - 0.5, top - 0.5))
 
 
 def scissor(
-    camera: Camera, box: tuple[int, int, int, int], origin: tuple[int, int] = (0, 0)
+    camera: Camera, box: Box, origin: tuple[int, int] = (0, 0)
 ) -> None:
     """Let drawing reach what the camera's viewport and scissor box leave of a box. origin: the
     pixel of the app's framebuffer that is the first of the one drawn to."""

@@ -34,7 +34,7 @@ class DepthCopy:
     Use it inside the state guard."""
 
     def __init__(self) -> None:
-        self.blur = 0.0
+        self.sample_offset = 0.0
         """Pixels by which depths may not be those of pixel centres: samples lie elsewhere."""
         self._targets: dict[int, RenderTarget] = {}
         """By format."""
@@ -51,7 +51,7 @@ class DepthCopy:
         x, y, width, height = box
         source = integer(GL_DRAW_FRAMEBUFFER_BINDING)
         several = integer(GL_SAMPLE_BUFFERS) > 0
-        self.blur = 0.5 if several else 0.0
+        self.sample_offset = 0.5 if several else 0.0
         kind = _format(bits, integer(GL_STENCIL_BITS)) if several else GL_DEPTH_COMPONENT24
         self._fit(box, kind)
         gl.glBindFramebuffer(GL_FRAMEBUFFER, source)
@@ -67,15 +67,15 @@ class DepthCopy:
             gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, source)
         return bool(gl.glGetError() == GL_NO_ERROR)
 
-    def open(self, box: Box, greater: bool) -> None:
-        """Bind it as an empty depth buffer to draw into, large enough for a box; greater: farther
-        is less depth."""
-        self.blur = 0.0
+    def open(self, box: Box, reversed_depth: bool) -> None:
+        """Bind it as an empty depth buffer to draw into, large enough for a box.
+        reversed_depth: farther is less depth."""
+        self.sample_offset = 0.0
         self._fit(box, GL_DEPTH_COMPONENT24)
         self._target.bind()
         gl.glDisable(GL_SCISSOR_TEST)
         gl.glDepthMask(1)
-        gl.glClearDepth(0.0 if greater else 1.0)
+        gl.glClearDepth(0.0 if reversed_depth else 1.0)
         gl.glClear(GL_DEPTH_BUFFER_BIT)
 
     def _fit(self, box: Box, kind: int) -> None:

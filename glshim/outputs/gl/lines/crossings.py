@@ -26,9 +26,10 @@ from glshim.outputs.gl.device.buffers import Buffer, Ring
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
-from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, hair_of, scissor
+from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, scissor
 from glshim.outputs.gl.frame.depth import UNIT, Box
-from glshim.outputs.gl.frame.laying import triangles
+from glshim.outputs.gl.frame.depth_fill import triangles
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_CLIP_PLANE0,
@@ -174,23 +175,20 @@ class Crossings:
         """A layer has passed."""
         self._bodies.tick()
 
-    def find(
-        self, items: Sequence[Item], *, greater: bool = False, bits: int | None = None
-    ) -> Floats:
+    def find(self, items: Sequence[Item], frame: Frame) -> Floats:
         """(L, 21) records (`glshim.model.lines`) where polygons of batches cross.
 
-        items: of a `glshim.linework.groups.Group`. greater: farther is less depth. bits of
-        the app's finished depth, which `glshim.outputs.gl.frame.depth.UNIT` holds; None: there is
-        none. What is not in that is left out. Blending, culling and the like are off; bindings come
-        back as they were, depth test and writes are off afterwards.
+        items: of a `glshim.linework.groups.Group`. What is not in the frame's finished depth is
+        left out. Blending, culling and the like are off; bindings come back as they were, depth
+        test and writes are off afterwards.
         """
         camera = items[0][1]
         scene = self._scene(items)
-        box = box_of([camera])
+        box = box_of([camera], frame.drawable.bounds)
         pixels = box[2] * box[3]
         if not 0 < scene.first[-1] < _MOST_TRIANGLES or not 0 < pixels <= _MOST_PIXELS:
             return np.empty((0, RECORD), np.float32)
-        seeds = self._seeds(scene, camera, box, greater, bits)
+        seeds = self._seeds(scene, camera, box, frame)
         last = self._last
         same = last is not None and scene.state is not None and scene.state == last[0]
         if last is not None and same and np.array_equal(seeds, last[1]):
@@ -238,9 +236,7 @@ class Crossings:
             found = self._bodies.put(key, made, 100 * len(made))  # 36 each here, there; 24 beside
         return found
 
-    def _seeds(
-        self, scene: _Scene, camera: Camera, box: Box, greater: bool, bits: int | None
-    ) -> Rows:
+    def _seeds(self, scene: _Scene, camera: Camera, box: Box, frame: Frame) -> Rows:
         """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
         `_FRONT` where they face the viewer."""
         draw, read = integer(GL_DRAW_FRAMEBUFFER_BINDING), integer(GL_READ_FRAMEBUFFER_BINDING)
@@ -249,8 +245,8 @@ class Crossings:
         gl.glActiveTexture(GL_TEXTURE0 + _UNIT)
         gl.glEnable(GL_DEPTH_TEST)
         gl.glDepthMask(1)
-        gl.glDepthFunc(GL_GREATER if greater else GL_LESS)
-        gl.glClearDepth(0.0 if greater else 1.0)
+        gl.glDepthFunc(GL_GREATER if frame.reversed_depth else GL_LESS)
+        gl.glClearDepth(0.0 if frame.reversed_depth else 1.0)
         gl.glBindVertexArray(self._array)
         gl.glEnableVertexAttribArray(0)
         planes = camera.clip_planes[:MOST_CLIP_PLANES]
@@ -266,11 +262,11 @@ class Crossings:
             program = self._program(len(planes), bool(trap))
             program.use({"projection": camera.projection.T, "clip_planes": planes})
             if trap:
-                program.set({"seen": _UNIT, "away": -1.0 if greater else 1.0})
+                program.set({"seen": _UNIT, "away": frame.depth_sign})
                 self._targets[0].bind_texture()
             else:
-                hair = hair_of(bits) if bits else -1.0
-                program.set({"finished": UNIT, "corner_at": box[:2], "hair": hair})
+                margin = {"hair": frame.depth_margin}
+                program.set(margin | {"finished": UNIT, "corner_at": box[:2]})
                 gl.glBindTexture(GL_TEXTURE_2D, 0)
             for chunk, first in zip(scene.chunks, scene.first.tolist(), strict=False):
                 program.set({"modelview": chunk.modelview.T, "first_triangle": first})

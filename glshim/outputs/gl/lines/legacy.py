@@ -12,7 +12,7 @@ from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import inputs_of
-from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLES
 from glshim.spec.context import MODERN
 from glshim.spec.driver import gl
@@ -40,14 +40,11 @@ class LegacyPen:
         camera: Camera,
         shader: Shader,
         uniforms: Mapping[str, Uniform],
-        depth: DepthCopy,
-        *,
-        away: float,
-        hair: float,
+        frame: Frame,
     ) -> None:
-        """Ink into the framebuffer that is bound. The camera's depth range is turned by away; hair
-        is in window depth."""
-        inputs = inputs_of(camera, depth, away=away, hair=hair)
+        """Ink into the framebuffer that is bound, where the frame's finished depth does not hide
+        it. The camera's depth range is turned (`turned`)."""
+        inputs = inputs_of(camera, frame)
         if shader.expand is None:
             say_once("style shader {!r} needs OpenGL {}.{}".format(shader.name, *MODERN))
         if inputs is None or shader.expand is None:
@@ -56,7 +53,10 @@ class LegacyPen:
         put_the_apps_arrays_away()
         for start in range(0, len(records), _AT_ONCE):
             some = records[start : start + _AT_ONCE]
-            found = shader.expand(some, camera, uniforms, hair=hair, blur=depth.blur)
+            found = shader.expand(
+                some, camera, uniforms,
+                hair=frame.depth_margin, blur=frame.depth.sample_offset,
+            )  # fmt: skip
             if not len(found.places):
                 continue
             self._program(shader, found).use(inputs, uniforms)

@@ -13,7 +13,7 @@ from glshim.outputs.gl.device.buffers import Ring
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
-from glshim.outputs.gl.frame.depth import DepthCopy
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLE_STRIP
 from glshim.spec.driver import gl
 from glshim.styling.lines import Shader
@@ -47,14 +47,11 @@ class Pen:
         camera: Camera,
         shader: Shader,
         uniforms: Mapping[str, Uniform],
-        depth: DepthCopy,
-        *,
-        away: float,
-        hair: float,
+        frame: Frame,
     ) -> None:
-        """Ink into the framebuffer that is bound. The camera's depth range is turned by away; hair
-        is in window depth."""
-        inputs = inputs_of(camera, depth, away=away, hair=hair)
+        """Ink into the framebuffer that is bound, where the frame's finished depth does not hide
+        it. The camera's depth range is turned (`turned`)."""
+        inputs = inputs_of(camera, frame)
         if inputs is None:
             return
         self._program(shader, camera).use(inputs, uniforms)

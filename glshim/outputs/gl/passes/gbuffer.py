@@ -26,9 +26,9 @@ class GBuffer:
     def __init__(self) -> None:
         self._target = RenderTarget(GL_RGBA32F, (GL_DEPTH_COMPONENT24,), unit=UNIT)
 
-    def open(self, box: Box, *, greater: bool) -> None:
+    def open(self, box: Box, *, reversed_depth: bool) -> None:
         """Draw into it from now on: it is large enough for a box of the framebuffer and empty
-        there. greater: farther is less depth."""
+        there. reversed_depth: farther is less depth."""
         x, y, width, height = box
         self._target.fit(x + width, y + height)
         self._target.bind()
@@ -36,7 +36,7 @@ class GBuffer:
         gl.glColorMask(1, 1, 1, 1)
         gl.glDepthMask(1)
         gl.glClearColor(0.0, 0.0, 0.0, 0.0)
-        gl.glClearDepth(0.0 if greater else 1.0)
+        gl.glClearDepth(0.0 if reversed_depth else 1.0)
         gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT)
 
     def bind_texture(self) -> None:

@@ -22,7 +22,8 @@ from glshim.outputs.gl.device.textures import Textures
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
 from glshim.outputs.gl.frame.colour import UNIT as COLOUR_UNIT
 from glshim.outputs.gl.frame.colour import ColourCopy
-from glshim.outputs.gl.frame.depth import Box, DepthCopy
+from glshim.outputs.gl.frame.depth import Box
+from glshim.outputs.gl.frame.frame import Frame
 from glshim.outputs.gl.passes.gbuffer import UNIT as GBUFFER_UNIT
 from glshim.outputs.gl.passes.gbuffer import GBuffer
 from glshim.outputs.gl.passes.meshes import UNITS, Posed, Resident, Residents
@@ -74,22 +75,18 @@ class Runner:
     def run(
         self,
         passes: Sequence[Pass],
-        window: int,
-        box: Box,
-        depth: DepthCopy,
+        frame: Frame,
         textures: Textures,
         *,
         last: Camera,
-        greater: bool,
-        hair: float,
     ) -> None:
-        """All passes on the stage, which then goes over the window where the stencil test of the
-        last camera lets it. greater: the app's depth test lets greater depths win; hair in window
-        depth."""
+        """All passes on the stage, which then goes over the frame where the stencil test of the
+        last camera lets it."""
+        box, reversed_depth = frame.box, frame.reversed_depth
         deep = any(one.state.depth != "always" or one.state.writes_depth for one in passes)
         self._stage.open(box, deep=deep)
         if any("app_colour" in (one.shader.needs or ()) for one in passes):
-            self._colour.take(window, box)
+            self._colour.take(frame.framebuffer, box)
         before = False
         views: dict[Hashable, dict[str, Any] | None] = {}
         for one in passes:
@@ -97,17 +94,16 @@ class Runner:
                 textures.bind(one.image)
             gl.glScissor(*box)  # what a pass clears
             if one.buffer != before:
-                self._turn_to_buffer(box, greater) if one.buffer else self._stage.reopen()
+                self._turn_to_buffer(frame) if one.buffer else self._stage.reopen()
                 before = one.buffer
-            set_state(one.state, greater)
+            set_state(one.state, reversed_depth)
             for body in one.bodies:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
                     continue
                 lens = lens_of(camera)
                 if lens not in views:
-                    view, away = turned(camera, greater)
-                    views[lens] = inputs_of(view, depth, away=away, hair=hair)
+                    views[lens] = inputs_of(turned(camera, reversed_depth), frame)
                 inputs = views[lens]
                 if inputs is None:
                     continue
@@ -115,15 +111,15 @@ class Runner:
             self.residents.release()
         if before:
             self._stage.reopen()
-        set_state(State(depth="always", blend="off"), greater)
+        set_state(State(depth="always", blend="off"), reversed_depth)
         stencil(last)
-        self._stage.put_over(window, box)
+        self._stage.put_over(frame.framebuffer, box)
 
-    def _turn_to_buffer(self, box: Box, greater: bool) -> None:
+    def _turn_to_buffer(self, frame: Frame) -> None:
         """Draw into the G-buffer, empty, from now on; it can be read after that."""
         if self._gbuffer is None:
             self._gbuffer = GBuffer()
-        self._gbuffer.open(box, greater=greater)
+        self._gbuffer.open(frame.box, reversed_depth=frame.reversed_depth)
         self._gbuffer.bind_texture()
 
     def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:

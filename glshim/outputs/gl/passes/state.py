@@ -50,11 +50,11 @@ _ACTIONS = {
 }  # fmt: skip
 
 
-def set_state(state: State, greater: bool) -> None:
-    """Inside the guard. greater: the app's depth test lets greater depths win."""
+def set_state(state: State, reversed_depth: bool) -> None:
+    """Inside the guard. reversed_depth: the app's depth test lets greater depths win."""
     # Not only let through by it: a driver in software would look depths up all the same.
     _switch(GL_DEPTH_TEST, state.depth != "always" or state.writes_depth)
-    test = _TURNED.get(state.depth, state.depth) if greater else state.depth
+    test = _TURNED.get(state.depth, state.depth) if reversed_depth else state.depth
     gl.glDepthFunc(_TESTS[test])
     gl.glDepthMask(int(state.writes_depth))
     gl.glColorMask(*[int(state.writes_colour)] * 4)
@@ -67,7 +67,7 @@ def set_state(state: State, greater: bool) -> None:
     factor, units = state.offset
     for capability in (GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE):
         _switch(capability, factor != 0.0 or units != 0.0)
-    way = -1.0 if greater else 1.0
+    way = -1.0 if reversed_depth else 1.0
     gl.glPolygonOffset(way * factor, way * units)
     _switch(GL_DEPTH_CLAMP, state.clamps)
     gl.glDisable(GL_PRIMITIVE_RESTART)

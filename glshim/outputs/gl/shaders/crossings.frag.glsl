@@ -8,7 +8,7 @@ uniform int first_triangle;
 uniform float away;         // +1 where greater depth is farther away, else -1
 uniform sampler2D finished; // the app's finished depth, a texel a pixel of its framebuffer
 uniform ivec2 corner_at;    // which of those our pixel 0, 0 is
-uniform float hair;         // a few steps of that depth; negative where there is none
+uniform float hair;         // a few steps of that depth
 uniform usampler2D seen;    // what pass 1 noted
 
 out uvec4 note;             // pass 1: D, bits of its slope (2) and depth; pass 2: P, D
@@ -29,12 +29,10 @@ void main() {
     if (other.x == 0u || other.x == number || behind < -HAIR || behind > reach) discard;
     note = uvec4(number, other.x, 0u, 0u);
 #else
-    if (hair >= 0.0) {
-        // What is not in the app's picture (hidden by what the shim does not know, dropped by an
-        // alpha test) is not seen. Several samples and polygon offset move the app's depth a little.
-        float app = texelFetch(finished, ivec2(gl_FragCoord.xy) + corner_at, 0).r;
-        if (abs(depth - app) > ELSEWHERE * length(slope) + hair) discard;
-    }
+    // What is not in the app's picture (hidden by what the shim does not know, dropped by an alpha
+    // test) is not seen. Several samples and polygon offset move the app's depth a little.
+    float app = texelFetch(finished, ivec2(gl_FragCoord.xy) + corner_at, 0).r;
+    if (abs(depth - app) > ELSEWHERE * length(slope) + hair) discard;
     note = uvec4(number, floatBitsToUint(slope), floatBitsToUint(depth));
 #endif
 }

@@ -39,21 +39,23 @@ def triangles(batch: PolygonBatch) -> NDArray[np.float32]:
     return np.ascontiguousarray(batch.positions[fans], np.float32)
 
 
-class Layer:
-    """Lays polygons down as depth. Make and use it inside the state guard."""
+class DepthFill:
+    """Draws polygons as depth alone. Make and use it inside the state guard."""
 
     def __init__(self) -> None:
         self._program = Program(
-            "lay", shader_text("lay.vert.glsl"), shader_text("lay.frag.glsl"),
+            "depth fill", shader_text("depth_fill.vert.glsl"), shader_text("depth_fill.frag.glsl"),
             attributes=("vertex",),
         )  # fmt: skip
 
-    def lay(self, items: Iterable[Item], depth: DepthCopy, box: Box, greater: bool) -> None:
-        """Fill a depth copy with the polygons of items, in a box of the framebuffer. greater:
-        farther is less depth."""
-        depth.open(box, greater)
+    def fill(
+        self, depth: DepthCopy, items: Iterable[Item], box: Box, reversed_depth: bool
+    ) -> None:
+        """Have the depth of items in a copy, in a box of the framebuffer. reversed_depth: farther
+        is less depth."""
+        depth.open(box, reversed_depth)
         gl.glEnable(GL_DEPTH_TEST)
-        gl.glDepthFunc(GL_GEQUAL if greater else GL_LEQUAL)
+        gl.glDepthFunc(GL_GEQUAL if reversed_depth else GL_LEQUAL)
         gl.glEnable(GL_SCISSOR_TEST)
         self._program.use()
         if has_vertex_arrays():

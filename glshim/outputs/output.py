@@ -1,0 +1,78 @@
+"""What becomes of the layers that a styler has finished: one interface for every way out.
+
+The OpenGL picture (`gl`) is the first output. Another one (a file of vectors, the model itself)
+takes the same values, and needs no OpenGL.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from glshim.styling.lines import Lines
+from glshim.styling.passes import Pass
+from glshim.styling.protocol import BackFaces, Layer, Styler
+
+Given = Lines | Pass | BackFaces
+"""What stylers give."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawable:
+    """What the program draws into: its window, or during a shot a tile of a larger picture, the
+    sheet. Pixels are those of the framebuffer."""
+
+    origin: tuple[float, float] = (0.0, 0.0)
+    """Pixels from the sheet's lower left corner to the framebuffer's."""
+    scale: float = 1.0
+    """Pixels for one of the window."""
+    bounds: tuple[int, int] = (8192, 8192)
+    """Pixels of the framebuffer, at most: how far drawing goes."""
+    double_buffered: bool | None = None
+    """Whether the window is; None: the driver knows."""
+
+
+WINDOW = Drawable()
+"""The program's own window."""
+
+
+class Context(Protocol):
+    """The GL context that a layer was drawn in."""
+
+    @property
+    def stale(self) -> bool:
+        """Whether the current context is another one, at the address of the one that was."""
+
+    def mark(self) -> None:
+        """Leave a mark in it, so that :attr:`stale` can tell."""
+
+
+class Output:
+    """One way out. The base does nothing but for `add`, which every output must."""
+
+    def set_styler(self, styler: Styler | None) -> None:
+        """What comes from now on is of this styler, None: of nobody."""
+
+    def cover(self) -> None:
+        """The app is about to draw polygons that carry lines, outside primitives."""
+
+    def uncover(self) -> None:
+        """It has drawn them."""
+
+    def add(
+        self, given: Sequence[Given], layer: Layer, drawable: Drawable, context: Context
+    ) -> None:
+        """What the styler gave for a finished layer, in the order of drawing, while the app's
+        context is current and before anything of the next layer is drawn. Raises `RenderError`
+        where this output cannot show it."""
+        raise NotImplementedError
+
+    def frame_ends(self) -> None:
+        """A frame was presented: no layer of it comes any more."""
+
+    def forget(self) -> None:
+        """What was made in the current context is gone: another one has its address."""
+
+    def release(self) -> None:
+        """Give back what the current context holds for this style alone. Outside primitives."""
