@@ -22,8 +22,9 @@ from glshim.outputs.gl.lines.pen import Pen, stages
 from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.runner import BY_INDEX, Ready, Runner, issue
 from glshim.spec.driver import gl
+from glshim.styling.lines import Shader
 from glshim.styling.passes import MeshShader, Pass
-from glshim.styling.protocol import Shader, Uniform
+from glshim.styling.values import Uniform
 
 Rows = NDArray[np.float32]
 

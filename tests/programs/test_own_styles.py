@@ -86,6 +86,24 @@ def test_the_styler_of_the_page_is_twenty_lines_or_so_and_works_when_pasted(
         assert gained[strong][:, channel].mean() > gained[strong][:, others].mean() + 60
 
 
+def test_the_pages_styler_with_borrowed_media_draws_when_pasted(
+    tmp_path: Path, display: str
+) -> None:
+    (tmp_path / "draft.py").write_text(PAGE.read_text().split("```python\n")[2].split("```")[0])
+    shown = {}
+    for name, text in (("plain", "none"), ("drawn", f"{tmp_path / 'draft.py'}:Draft:strokes=2")):
+        done = subprocess.run(
+            [sys.executable, "-m", "demo_apps.viewer", "torus"], cwd=ROOT, check=True, timeout=60,
+            env=environment(display, GLSHIM_STYLE=text, GLSHIM_FRAMES="2",
+                            GLSHIM_CAPTURE=str(tmp_path / f"{name}.png")),
+            capture_output=True, text=True,
+        )  # fmt: skip
+        assert "glshim" not in done.stderr
+        shown[name] = pixels(tmp_path / f"{name}.png")
+    darker = (shown["plain"] - shown["drawn"]).max(axis=2)
+    assert 0.002 < (darker > 60).mean() < 0.2
+
+
 class Running:
     """A program under a style, its last frame, and what is said meanwhile."""
 
