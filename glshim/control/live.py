@@ -26,7 +26,7 @@ _LABELS = {"cycle": "style", "back": "back", "toggle": "on/off", "save": "PNG", 
 
 
 class Controls:
-    """A `glshim.toolkits.keyboard.Listener`, and a listener to frame ends."""
+    """A `glshim.toolkits.keyboard.KeyListener`, and a listener to frame ends."""
 
     def __init__(self, settings: LiveSettings, style: str | None, folder: str) -> None:
         """style: the text of the one that is on already; relative paths are the folder's."""

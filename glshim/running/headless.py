@@ -16,7 +16,8 @@ from glshim.errors import EnvironmentFault
 
 SCREEN = "1280x1024x24"
 _SECONDS_TO_START = 20.0
-_PR_SET_PDEATHSIG = 1
+PR_SET_PDEATHSIG = 1
+"""From linux/prctl.h: the signal that a process gets when its parent dies."""
 
 
 @contextmanager
@@ -85,4 +86,4 @@ def _die_with_parent() -> None:
     """In the server's process: leave when we are killed, and let Ctrl-C be the program's alone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)

@@ -22,7 +22,7 @@ VARIABLE = "GLSHIM_STILL"
 PATIENCE = 8.0
 """Seconds without a frame after which a program that shows frames on demand is done; three times
 its longest wait so far where that is more."""
-_LARGE = 20.0
+_HELD_PATIENCE = 20.0
 """Times that for a frame of a moment that is held: it may be a large picture."""
 
 
@@ -48,7 +48,7 @@ def _watch(moment: Moment) -> None:
             longest = max(longest, real_clock() - since)
             seen, since = moment.frames, real_clock()
         elif seen and real_clock() - since > max(PATIENCE, 3.0 * longest) * (
-            _LARGE if moment.held else 1.0
+            _HELD_PATIENCE if moment.held else 1.0
         ):
             say(f"the program shows nothing new after frame {seen}, and was ended there")
             frames.exit_now()

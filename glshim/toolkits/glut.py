@@ -197,7 +197,7 @@ def _special_name(key: int) -> str | None:
 
 def _typed_name(key: bytes) -> str | None:
     """Ctrl and a letter come as a control character."""
-    code = key[0] + 0x60 if 1 <= key[0] <= 26 and key not in b"\b\t\r" else key[0]
+    code = key[0] + ord("a") - 1 if 1 <= key[0] <= 26 and key not in b"\b\t\r" else key[0]
     name = chr(code).upper()
     return name if name in keyboard.NAMES else None
 

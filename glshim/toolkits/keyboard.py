@@ -18,7 +18,7 @@ NAMES = (*(f"F{n}" for n in range(1, 13)), *"ABCDEFGHIJKLMNOPQRSTUVWXYZ", *"0123
 """Keys by name, alike in every toolkit."""
 
 
-class Listener(Protocol):
+class KeyListener(Protocol):
     """Who acts on keys. Both are called in whatever thread a toolkit tells of them, where no GL may
     be called."""
 
@@ -32,7 +32,7 @@ class Listener(Protocol):
         """One that is was pressed."""
 
 
-_listener: Listener | None = None
+_listener: KeyListener | None = None
 _held: set[str] = set()
 
 
@@ -46,7 +46,7 @@ def modifiers(mask: int, bits: Mapping[str, int]) -> set[str]:
     return {modifier for modifier, bit in bits.items() if mask & bit}
 
 
-def listen(listener: Listener | None) -> None:
+def listen(listener: KeyListener | None) -> None:
     """Be told of each chord that is pressed; None: nobody is."""
     global _listener
     _listener = listener

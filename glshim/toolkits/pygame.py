@@ -15,7 +15,7 @@ from glshim.toolkits.moment import MOMENT, STEP, Moment
 
 # pygame.OPENGL and pygame.PREALLOC: SDL shows a window without OpenGL by way of GL of its own, with
 # the first flag too, but keeps that window's pixels itself.
-_OPENGL, _PREALLOC = 0x2, 0x1000000
+OPENGL, PREALLOC = 0x2, 0x1000000
 _MODIFIERS = {"shift": 0x3, "ctrl": 0xC0, "alt": 0x300}
 """pygame.KMOD_SHIFT, KMOD_CTRL and KMOD_ALT: the left key of each and the right one."""
 
@@ -52,7 +52,7 @@ class Pygame(Toolkit):
             @functools.wraps(plain)
             def flip(*arguments: Any, **named: Any) -> None:
                 shown = module.get_surface() if frames.listening() else None
-                if shown is None or shown.get_flags() & (_OPENGL | _PREALLOC) != _OPENGL:
+                if shown is None or shown.get_flags() & (OPENGL | PREALLOC) != OPENGL:
                     return plain(*arguments, **named)
                 return frames.present(plain, *arguments, on=drawable, named=named)
 

@@ -19,7 +19,7 @@ class Pyglet(Toolkit):
     lacks: ClassVar[Lacks] = {
         Part.KEYS: "live control hears no key",
         Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
-        Part.CLOCK: "`pyglet.clock` runs on by its own time",
+        Part.CLOCK: "calls that `pyglet.clock` schedules come due only as frames move the time",
     }
 
     def hooks(self) -> Iterable[Hook]:

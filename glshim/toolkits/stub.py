@@ -12,10 +12,10 @@ from __future__ import annotations
 import functools
 import weakref
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from glshim.toolkits import frames, keyboard
-from glshim.toolkits.base import Changes, Hook, Part, Toolkit
+from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
 from glshim.toolkits.frames import Size
 from glshim.toolkits.moment import MOMENT, Moment
 
@@ -30,7 +30,7 @@ class Stub(Toolkit):
     name = package = "stub"
     distribution = ""  # where pip knows it by another name
     may_raise = True  # False where it calls back from C, which swallows exceptions
-    lacks = {}  # noqa: RUF012 (Part.CLOCK: "what a user notices of that")
+    lacks: ClassVar[Lacks] = {}  # Part.CLOCK: "what a user notices of that"
     example = True  # of this file alone
 
     def __init__(self, moment: Moment = MOMENT) -> None:

@@ -25,13 +25,13 @@ from typing import Any
 import numpy as np
 
 from glshim.running import clocks, luck
+from glshim.spec.constants import GL_DOUBLEBUFFER
 from glshim.toolkits.base import Changes
 from glshim.toolkits.glfw import Glfw
 from glshim.toolkits.glut import GlutLoop
 from glshim.toolkits.moment import Moment, real_clock, real_sleep
 from glshim.toolkits.pygame import Pygame
 
-GL_DOUBLEBUFFER = 0x0C32
 Z_PIXMAP, ALL_PLANES = 2, ctypes.c_ulong(0xFFFFFFFF)
 
 
