@@ -9,7 +9,7 @@ says what to draw of a layer, and the output finds its lines and draws them.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,22 +19,22 @@ from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.errors import RenderError
 from glshim.model.batch import Wanted
 from glshim.notices import say_fault
-from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.fixed import FixedPen
-from glshim.outputs.gl.frame.cover import Cover
-from glshim.outputs.gl.frame.sheet import SHEET
+from glshim.outputs.gl.picture import Picture
+from glshim.outputs.output import WINDOW, Drawable, Given, Output
 from glshim.sources.fixed.lights import light
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.spec.ask import integer
 from glshim.spec.constants import GL_DOUBLEBUFFER
-from glshim.spec.driver import current_context
-from glshim.styling.protocol import BackFaces, Layer, Lines, Pass, Styler
+from glshim.styling.enlarging import enlarged
+from glshim.styling.protocol import Layer, Pass, Styler
 from glshim.toolkits import Part, frames
 
 BINDING: Binding = PYOPENGL
 """How the program speaks OpenGL."""
+OUTPUTS: tuple[Output, ...] = (Picture(),)
+"""Where what stylers give goes."""
 
 
 @dataclass(slots=True)
@@ -55,7 +55,11 @@ class Pipeline:
     are known to the next.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, outputs: Sequence[Output] = OUTPUTS) -> None:
+        self._outputs = outputs
+        self._drawable = WINDOW
+        self._enlarged: Styler | None = None
+        """The styler, for the scale of the drawable."""
         self.styler: Styler | None = None
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
         self.live = False
@@ -63,7 +67,6 @@ class Pipeline:
         """
         self.counted = Counted()
         """The frame so far; whole when the listeners of later stages are called."""
-        self._cover = Cover()
         self._follower = Follower(BINDING.stream, self)
         self._broken = False
         self._listener: frames.Listener | None = None
@@ -85,63 +88,80 @@ class Pipeline:
         if styler is not None and not styler.wants_polygons:
             styler = None
         self.styler = styler
-        self._cover.set_surface(styler.surface if styler is not None else "app")
+        self._enlarge()
+        for output in self._outputs:
+            output.set_styler(styler)
         self._follower.restyle(_wanted(styler) if styler is not None else None)
 
     def use_style_next(self, styler: Styler | None) -> None:
         """From the next frame on. Calls no GL: any thread may say so at any time."""
         self._next = (styler,)
 
+    def draw_into(self, drawable: Drawable) -> None:
+        """What the program draws into from now on."""
+        scale, self._drawable = self._drawable.scale, drawable
+        if scale != drawable.scale:
+            self._enlarge()
+
+    def _enlarge(self) -> None:
+        scale = self._drawable.scale
+        self._enlarged = enlarged(self.styler, scale) if self.styler is not None else None
+
     # -- layer, styler, outputs: what the follower hands on --------------------------------------
 
     def cover(self) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
-        self._cover.cover()
+        for output in self._outputs:
+            output.cover()
 
     def uncover(self) -> None:
         """After it."""
-        self._cover.uncover()
+        for output in self._outputs:
+            output.uncover()
 
     def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
-        """A layer's depth is final: the styler says what to add, the output adds it."""
-        if self.styler is None:
+        """A layer's depth is final: the styler says what to add, the outputs add it."""
+        if self._enlarged is None:
             return
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
-            finished.lighting, SHEET.scale,
+            finished.lighting, self._drawable.scale,
         )  # fmt: skip
         try:
-            self._put_out(list(self.styler.draws(layer)), layer, scene)
+            self._put_out(list(self._enlarged.draws(layer)), layer, scene)
         except Exception as error:
             if not self.live:
                 raise
             say_fault(f"style {self._name!r} fails and is switched off: {error!r}", error)
             self.use_style(None)
 
-    def _put_out(
-        self, draws: list[Lines | Pass | BackFaces], layer: Layer, scene: Scene
-    ) -> None:
+    def _put_out(self, given: list[Given], layer: Layer, scene: Scene) -> None:
         self.counted.polygons += sum(batch.polygon_count for batch, _ in layer.items)
-        self.counted.draws += sum(map(_count, draws))
-        fixed = [draw for draw in draws if isinstance(draw, BackFaces)]
-        others = [draw for draw in draws if not isinstance(draw, BackFaces)]
-        try:
-            if fixed:
-                scene.mark()
-                _FIXED.render(fixed)
-            if others:
-                _backend(scene).render(others)
-        except RenderError as error:
-            scene.unpainted = str(error)
-            say_unstyled(str(error))
+        self.counted.draws += sum(map(_count, given))
+        if not given:
+            return
+        refusals = []
+        for output in self._outputs:
+            try:
+                output.add(given, layer, self._drawable, scene)
+            except RenderError as error:
+                say_unstyled(str(error))
+                refusals.append(str(error))
+        if len(refusals) == len(self._outputs):
+            scene.unpainted = "; ".join(refusals)
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        return call() if _is_double_buffered() else frames.present(call)
+        double = self._drawable.double_buffered
+        if double is None:
+            double = bool(integer(GL_DOUBLEBUFFER))
+        return call() if double else frames.present(call)
 
     def _frame_over(self) -> None:
         """A frame was presented."""
         self.counted = Counted()
+        for output in self._outputs:
+            output.frame_ends()
         if self._next is not None:
             self.use_style(*self._next)
 
@@ -154,7 +174,8 @@ class Pipeline:
 
     def context_renewed(self) -> None:
         """A context that is gone left its address to a new one."""
-        self._cover.forget()
+        for output in self._outputs:
+            output.forget()
 
     def give_up(self, error: BaseException) -> None:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""
@@ -168,11 +189,12 @@ class Pipeline:
         if self._listener is not None:
             self._listener.stop()
         BINDING.detach()
-        self._cover.uncover()
+        self.uncover()
 
     def release(self) -> None:
         """Give back what the current context holds for this style alone."""
-        self._cover.release()
+        for output in self._outputs:
+            output.release()
 
     @property
     def _name(self) -> str:
@@ -186,40 +208,12 @@ def _wanted(styler: Styler) -> Wanted:
     )
 
 
-def _count(draw: Lines | Pass | BackFaces) -> int:
+def _count(draw: Given) -> int:
     """Of a pass one, of lines one a batch."""
     return 1 if isinstance(draw, Pass) else sum(len(body.batches) for body in draw.bodies)
 
 
-def _is_double_buffered() -> bool:
-    """Whether the window that is drawn to is."""
-    return bool(integer(GL_DOUBLEBUFFER)) if _told_double is None else _told_double
-
-
-def tell_double_buffered(double: bool) -> None:
-    """Whether the window is, in the driver's place: a shot draws elsewhere, and knows."""
-    global _told_double
-    _told_double = double
-
-
-_told_double: bool | None = None
-_FIXED = FixedPen()
 _current: Pipeline | None = None
-_backends: dict[int, tuple[Scene, Backend]] = {}
-"""By context, with the scene that each was made for, which knows when its context is gone. They
-outlive a style: switching styles makes no new buffers and programs."""
-
-
-def _backend(scene: Scene) -> Backend:
-    """The current context's backend."""
-    handle = current_context()
-    # Asked before the new scene leaves its mark: in another context that may have the same name.
-    owner, backend = _backends.get(handle, (scene, None))
-    if backend is None or owner.stale:
-        backend = Backend.attach()
-        _backends[handle] = scene, backend
-    scene.mark()
-    return backend
 
 
 def install(style: str | Styler, *, live: bool = False) -> None:
@@ -267,10 +261,11 @@ def counted() -> Counted:
     return _current.counted if _current is not None else Counted()
 
 
-def revise(change: Callable[[Styler], Styler]) -> None:
-    """Draw from now on as a styler of the same class that is made of the current one."""
-    if _current is not None and _current.styler is not None:
-        _current.styler = change(_current.styler)
+def draw_into(drawable: Drawable) -> None:
+    """The program draws into something else from now on: a shot, into tiles of a large picture in
+    place of its window. What the style draws is enlarged as the picture is."""
+    if _current is not None:
+        _current.draw_into(drawable)
 
 
 def uninstall() -> None:

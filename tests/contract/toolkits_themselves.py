@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
-from glshim.bindings.pyopengl.raw import ground_function
+from glshim.bindings.pyopengl.raw import hook_function_below
 from glshim.toolkits import Part
 
 from .toolkit_checks import CHECKS
@@ -159,7 +159,7 @@ class GlutItself(Rig):
 
             return swap
 
-        ground_function(GLUT.glutSwapBuffers, swapping)
+        hook_function_below(GLUT.glutSwapBuffers, swapping)
         GLUT.glutInit(["app"])
         GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE if double else GLUT.GLUT_SINGLE)
         GLUT.glutInitWindowSize(*SIZE)

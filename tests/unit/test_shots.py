@@ -11,8 +11,8 @@ from glshim.errors import StyleError
 from glshim.running.shots.bitmaps import magnified
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import MOST_AREA, Plan, parse_scale, parse_size, tiles_of
-from glshim.running.shots.shooter import enlarged
 from glshim.styling import registry
+from glshim.styling.enlarging import enlarged
 from glshim.styling.options import options_of
 
 SIDES = st.integers(1, 9000)

@@ -57,8 +57,7 @@ class RawLayer:
         self._wrapper_makers: dict[str, Maker] = {}
         self.matchers: list[Callable[[str], Maker | None]] = []
         self._undo: list[Callable[[], None]] = []
-        self.ground: Callable[[str], Maker | None] = lambda name: None
-        """What changes calls below every hook, for names loaded from now on: a shot's."""
+        self._below: Callable[[str], Maker | None] = lambda name: None
 
     @property
     def installed(self) -> bool:
@@ -91,6 +90,11 @@ class RawLayer:
             "OpenGL.lazywrapper", lambda module: self._follow_wrappers(module._LazyWrapper)
         )
 
+    def hook_below(self, matcher: Callable[[str], Maker | None]) -> None:
+        """Change calls below every hook, for names loaded from now on and for good: a shot does.
+        matcher: what makes the hook of a name, if it has one."""
+        self._below = matcher
+
     def _follow_wrappers(self, base: Any) -> None:
         if not self._undo:  # uninstalled before the import came
             return
@@ -107,7 +111,7 @@ class RawLayer:
     def _adopt(self, cls: type) -> None:
         call = vars(cls)["__call__"]
         original = call.__func__ if isinstance(call, staticmethod) else call
-        below = self.ground(cls.__name__)
+        below = self._below(cls.__name__)
         if below is not None:
             original = below(original)
         slot = _Slot(cls, original, static=True)
@@ -217,7 +221,7 @@ def hook_function(function: Any, hook: Call | None) -> None:
     _replace_call(function, hook, _glshim_original=cls)
 
 
-def ground_function(function: Any, maker: Maker) -> None:
+def hook_function_below(function: Any, maker: Maker) -> None:
     """Make a ctypes function object call the maker's hook below any `hook_function`, for good."""
     cls: Any = type(function)
     hook = maker(lambda *args: cls.__call__(function, *args))

@@ -1,8 +1,8 @@
 """The GL calls that mean something else while a tile is drawn: what speaks of pixels of the window
 is said to the driver in pixels of the tile, and answered in those of the window.
 
-They stand below every other hook (`RawLayer.ground`), so that all that the shim itself reads from
-the driver is of the tile.
+They stand below every other hook (`RawLayer.hook_below`), so that all that the shim itself reads
+from the driver is of the tile.
 """
 
 from __future__ import annotations

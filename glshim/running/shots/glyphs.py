@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from glshim.bindings.imports import after_import
-from glshim.bindings.pyopengl.raw import Call, ground_function
+from glshim.bindings.pyopengl.raw import Call, hook_function_below
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.target import RenderTarget
@@ -83,7 +83,7 @@ class Glyphs:
                 function = getattr(function, "", None)  # inside PyOpenGL's logging proxies
             if function is None or not function:
                 continue
-            ground_function(function, maker)
+            hook_function_below(function, maker)
 
     def _one(self, plain: Call) -> Call:
         self._character = plain

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields
 from typing import Any, Protocol
 
 import numpy as np
@@ -15,7 +14,7 @@ from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
 from glshim.notices import say
 from glshim.outputs.gl.frame.grab import grab
-from glshim.outputs.gl.frame.sheet import SHEET
+from glshim.outputs.output import WINDOW, Drawable
 from glshim.running.shots.calls import Calls, convert
 from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
@@ -35,8 +34,6 @@ from glshim.spec.constants import (
     GL_VIEWPORT,
 )
 from glshim.spec.driver import current_context, gl
-from glshim.styling.options import options_of
-from glshim.styling.protocol import Styler
 from glshim.toolkits import frames
 
 _UNLIKE = 24
@@ -82,7 +79,7 @@ class Shot:
 
     def prepare(self) -> None:
         """Before PyOpenGL is followed: stand below all its calls."""
-        RAW.ground = self._calls.maker
+        RAW.hook_below(self._calls.maker)
         self._glyphs.install()
 
     def begin(self) -> None:
@@ -109,7 +106,7 @@ class Shot:
             return
         if self._rehearsing:
             self._rehearsing = False
-            self._try(self._enlarge)
+            self._try(self._next)
             return
         if self._tile is None:
             self._context = current_context()
@@ -160,15 +157,7 @@ class Shot:
         # What programs read back may lie in another tile: a frame in the window shows it all.
         self._rehearsing = len(self._left) > 1
         if not self._rehearsing:
-            self._enlarge()
-
-    def _enlarge(self) -> None:
-        """From the next frame on tiles are drawn."""
-        pipeline.revise(lambda styler: enlarged(styler, self.mapping.scale))
-        pipeline.tell_double_buffered(self.double)
-        SHEET.scale = self.mapping.scale
-        SHEET.bounds = self.target.size
-        self._next()
+            self._next()
 
     def _next(self) -> None:
         """The frame that comes is the next tile."""
@@ -179,7 +168,8 @@ class Shot:
         convert(before, self.mapping)
         if fresh:
             self.target.bind()
-        SHEET.origin = (float(tile.x), float(tile.y))
+        origin = float(tile.x), float(tile.y)
+        pipeline.draw_into(Drawable(origin, self.mapping.scale, self.target.size, self.double))
         self._tile, self._settled = tile, False
 
     def _take(self, tile: Tile) -> None:
@@ -226,6 +216,7 @@ class Shot:
             if self.target.is_read:
                 gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, self.home)
             self.target.release()
+        pipeline.draw_into(WINDOW)
         self._tile, self.target = None, None
         self._clock.held = False
 
@@ -288,14 +279,3 @@ def _slices(box: tuple[int, int, int, int], origin: tuple[int, int]) -> tuple[sl
     """Rows and columns of a box (left, low, right, top)."""
     (left, low, right, top), (x, y) = box, origin
     return slice(low - y, top - y), slice(left - x, right - x)
-
-
-def enlarged(styler: Styler, scale: float) -> Styler:
-    """The styler with its options in pixels scaled, past their ranges."""
-    kind = type(styler)
-    lengths = {each.name for each in options_of(kind) if each.unit == "px"}
-    found = object.__new__(kind)  # its checks hold for what people ask for
-    for field in fields(styler):
-        value = getattr(styler, field.name)
-        object.__setattr__(found, field.name, value * scale if field.name in lengths else value)
-    return found

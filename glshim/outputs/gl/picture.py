@@ -1,0 +1,61 @@
+"""The OpenGL picture as an output: what stylers give is drawn over the app's own frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.fixed import FixedPen
+from glshim.outputs.gl.frame.cover import Cover
+from glshim.outputs.output import Context, Drawable, Given, Output
+from glshim.spec.driver import current_context
+from glshim.styling.protocol import BackFaces, Layer, Styler
+
+
+class Picture(Output):
+    """One serves all contexts. What it makes in them outlives a style: switching styles makes no
+    new buffers and programs."""
+
+    def __init__(self) -> None:
+        self._cover = Cover()
+        self._fixed = FixedPen()
+        self._backends: dict[int, tuple[Context, Backend]] = {}
+        """By the current context's handle, with the context that each was made for, which knows
+        when it is gone."""
+
+    def set_styler(self, styler: Styler | None) -> None:
+        self._cover.set_surface(styler.surface if styler is not None else "app")
+
+    def cover(self) -> None:
+        self._cover.cover()
+
+    def uncover(self) -> None:
+        self._cover.uncover()
+
+    def add(
+        self, given: Sequence[Given], layer: Layer, drawable: Drawable, context: Context
+    ) -> None:
+        faces = [one for one in given if isinstance(one, BackFaces)]
+        others = [one for one in given if not isinstance(one, BackFaces)]
+        if faces:
+            context.mark()
+            self._fixed.render(faces)
+        if others:
+            self._backend(context).render(others, drawable)
+
+    def forget(self) -> None:
+        self._cover.forget()
+
+    def release(self) -> None:
+        self._cover.release()
+
+    def _backend(self, context: Context) -> Backend:
+        """The current context's backend."""
+        handle = current_context()
+        # Asked before the new one gets its mark: in another context that may have the same name.
+        owner, backend = self._backends.get(handle, (context, None))
+        if backend is None or owner.stale:
+            backend = Backend.attach()
+            self._backends[handle] = context, backend
+        context.mark()
+        return backend
