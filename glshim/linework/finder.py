@@ -6,7 +6,7 @@ from collections.abc import Hashable
 
 import numpy as np
 
-from glshim.geometry.edges.edges import Edges, edges, edges_of_each, join
+from glshim.geometry.edges.edges import Edges, edges, edges_of_each
 from glshim.geometry.edges.gather import Placement, merged
 from glshim.linework.coherence import Past, kept_with, latest
 from glshim.linework.feature_lines import feature_lines, names_of
@@ -14,7 +14,7 @@ from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
 from glshim.linework.polygon_lines import lines
 from glshim.model.arrays import Floats, Indices
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from glshim.model.caches import AgingCache
 from glshim.styling.values import Item
 from glshim.styling.wishes import Features

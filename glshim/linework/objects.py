@@ -6,13 +6,12 @@ from collections.abc import Hashable, Sequence
 from weakref import WeakKeyDictionary, WeakValueDictionary
 
 from glshim.geometry.crease.creases import Creases, Criterion, creases
-from glshim.geometry.edges.edges import join
 from glshim.geometry.edges.folds import Topology
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.meshes import Meshes
 from glshim.linework.feature_lines import EdgeLines
 from glshim.model.arrays import Doubles
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
 

@@ -84,3 +84,29 @@ def normals_of(parts: Sequence[PolygonBatch]) -> Floats | None:
         [np.zeros((len(p.corners), 3), np.float32) if p.normals is None else p.normals
          for p in parts]
     )  # fmt: skip
+
+
+def join(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> PolygonBatch:
+    """Batches in one object space as one."""
+    if len(parts) == 1 and key is None:
+        return parts[0]
+    if not parts:
+        return PolygonBatch(
+            np.empty((0, 3), np.float32), np.empty(0, np.int32), np.zeros(1, np.int32),
+            np.empty(0, np.bool_), key,
+        )  # fmt: skip
+    vertices = np.cumsum([0] + [len(b.positions) for b in parts[:-1]])
+    counts = [len(b.corners) for b in parts]
+    first = np.cumsum([0, *counts])
+    polygons = [b.polygon_count for b in parts]
+    corners = np.concatenate([b.corners for b in parts]) + np.repeat(vertices, counts)
+    starts = np.concatenate([b.starts[:-1] for b in parts]) + np.repeat(first[:-1], polygons)
+    return PolygonBatch(
+        np.concatenate([b.positions for b in parts]),
+        corners.astype(np.int32),
+        np.append(starts, first[-1]).astype(np.int32),
+        np.concatenate([b.boundary for b in parts]),
+        key,
+        regions_of(parts),
+        normals_of(parts),
+    )

@@ -7,11 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from glshim.sources.fixed.immediate import (
     assemble,
     assemble_many,
-    concatenate,
     polygon_corners,
     reversed_winding,
     transformed,
@@ -147,15 +146,15 @@ def test_many_at_once_are_what_each_is_alone(
     assert sides(together) == set().union(*map(sides, alone))
 
 
-def test_concatenate() -> None:
+def test_join() -> None:
     a, b, empty = assemble(7, points(8)), assemble(9, points(5, 20)), assemble(4, b"")
-    joined = concatenate([a, empty, b], key="k")
+    joined = join([a, empty, b], key="k")
     assert joined.key == "k"
     assert polygons(joined) == [[0, 1, 2, 3], [4, 5, 6, 7], [8, 9, 10, 11, 12]]
     assert sides(joined) == sides(a) | sides(b)
-    assert concatenate([a]) is a
-    assert concatenate([a], "k").key == "k"
-    assert concatenate([]).polygon_count == 0
+    assert join([a]) is a
+    assert join([a], "k").key == "k"
+    assert join([]).polygon_count == 0
     assert joined.corners.dtype == joined.starts.dtype == np.int32
 
 
@@ -168,7 +167,7 @@ def _normals(batch: PolygonBatch) -> np.ndarray:
 def test_reversed_winding_keeps_each_side_and_its_flag() -> None:
     stream = said(("glVertex2f", 0, 0), ("glEdgeFlag", 0), ("glVertex2f", 1, 0),
                   ("glEdgeFlag", 1), ("glVertex2f", 1, 1), ("glVertex2f", 0, 1))  # fmt: skip
-    batch = concatenate([assemble(7, stream), assemble(4, points(6)), assemble(9, points(5))])
+    batch = join([assemble(7, stream), assemble(4, points(6)), assemble(9, points(5))])
     turned = reversed_winding(batch)
     assert {(b, a) for a, b in sides(batch)} == sides(turned)
     flat = slice(3)  # the last polygon is not planar: its corners disagree

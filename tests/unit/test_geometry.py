@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from glshim.geometry.edges.edges import dihedral, edges, edges_of_each, join
+from glshim.geometry.edges.edges import dihedral, edges, edges_of_each
 from glshim.geometry.edges.gather import Placement, merged
 from glshim.linework.polygon_lines import lines
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from glshim.model.camera import Camera, cofactors
 from glshim.model.lines import (
     CONTOUR,

@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.edges.edges import join
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.mesh import Mesh, mesh
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from tests.look import batch, bowl, cube, cylinder, polygons_of, sphere, torus
 
 

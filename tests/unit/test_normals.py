@@ -12,14 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from glshim.geometry.edges.edges import join
 from glshim.geometry.recovery.mesh import Mesh, mesh
 from glshim.geometry.recovery.meshes import Meshes
-from glshim.model.batch import PolygonBatch, Wanted
+from glshim.model.batch import PolygonBatch, Wanted, join
 from glshim.sources.fixed import immediate, normals
 from glshim.sources.fixed.immediate import (
     POLYGON_MODES,
-    concatenate,
     reversed_winding,
     scaled,
     transformed,
@@ -225,9 +223,9 @@ def numbered(b: PolygonBatch) -> PolygonBatch:
 
 def test_normals_go_along_with_their_corners():
     one, plain = numbered(look.cube()), look.torus(5, 4)
-    for both in (join([one, plain]), concatenate([one, plain])):
+    for both in (join([one, plain]), join([one, plain], "key")):
         assert (both.normals[:24] == one.normals).all() and not both.normals[24:].any()
-    assert join([plain, plain]).normals is None and concatenate([plain, plain]).normals is None
+    assert join([plain, plain]).normals is None
     assert scaled(one, 3.0, "key").normals is one.normals
     turned = reversed_winding(one)
     assert (turned.normals[:, 1] == turned.corners + 1).all()

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
-from glshim.geometry.edges.edges import join
 from glshim.geometry.meshshaders.edge_mesh import MARKED, edge_mesh, features
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.recovery.meshes import Meshes
-from glshim.model.batch import Wanted
+from glshim.model.batch import Wanted, join
 from glshim.sources.fixed import immediate
 from glshim.sources.fixed.current import colour
 from glshim.sources.fixed.immediate import reversed_winding, scaled

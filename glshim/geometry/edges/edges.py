@@ -11,8 +11,9 @@ from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
-from glshim.model.batch import PolygonBatch, normals_of, regions_of
+from glshim.model.batch import PolygonBatch, join
 from glshim.model.camera import cofactors
+from glshim.model.polygons import fan
 from glshim.model.vectors import cross, unit
 
 _GRAIN = 16 * float(np.finfo(np.float32).eps)
@@ -123,27 +124,6 @@ def dihedral(along: Doubles, first: Doubles, second: Doubles) -> Doubles:
     return np.asarray(np.pi - np.arctan2(lift, np.einsum("ij,ij->i", first, second)))
 
 
-def join(batches: Sequence[PolygonBatch]) -> PolygonBatch:
-    """Batches in one object space as one batch without a key. One or more."""
-    if len(batches) == 1:
-        return batches[0]
-    vertices = np.cumsum([0] + [len(b.positions) for b in batches[:-1]])
-    counts = [len(b.corners) for b in batches]
-    corners = np.cumsum([0, *counts])
-    polygons = [b.polygon_count for b in batches]
-    starts = np.concatenate([b.starts[:-1] for b in batches]) + np.repeat(corners[:-1], polygons)
-    return PolygonBatch(
-        np.concatenate([b.positions for b in batches]),
-        (np.concatenate([b.corners for b in batches]) + np.repeat(vertices, counts)).astype(
-            np.int32
-        ),
-        np.append(starts, corners[-1]).astype(np.int32),
-        np.concatenate([b.boundary for b in batches]),
-        regions=regions_of(batches),
-        normals=normals_of(batches),
-    )
-
-
 def edges(batch: PolygonBatch) -> Edges:
     """The edges of a batch.
 
@@ -239,8 +219,7 @@ def _fans(at: Indices, flags: Flags, polygon: Rows, normals: Doubles) -> _Group:
     by the normals (P, 3) of the whole polygons no creases."""
     count, size = at.shape
     fans = size - 2
-    steps = np.arange(fans)
-    corners = np.stack((np.zeros(fans, np.intp), steps + 1, steps + 2), axis=1)
+    corners = fan(size)
     sides = np.ones((count, fans, 3), np.bool_)
     sides[:, 0, 0], sides[:, -1, 2] = flags[:, 0], flags[:, -1]
     sides[:, :, 1] = flags[:, 1:-1]

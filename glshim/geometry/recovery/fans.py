@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from glshim.model import polygons
 from glshim.model.arrays import Flags, Indices, Rows
 from glshim.model.batch import PolygonBatch
 
@@ -66,15 +67,6 @@ def _distinct(
 
 
 def _fans(corners: Indices, starts: Indices, true: Flags, number: Indices | None) -> Fans:
-    sizes = np.diff(starts)
-    counts = np.maximum(sizes - 2, 0)
-    polygon = np.repeat(np.arange(len(sizes), dtype=np.int32), counts)
-    step = np.arange(len(polygon)) - np.repeat(np.cumsum(counts) - counts, counts)
-    hub = starts[:-1][polygon]
-    at = np.stack((hub, hub + step + 1, hub + step + 2), axis=1)
-    sides = np.zeros((len(polygon), 3), np.bool_)
-    sides[:, 0] = true[hub] & (step == 0)
-    sides[:, 1] = true[hub + step + 1]
-    last = step == sizes[polygon] - 3
-    sides[:, 2] = true[hub + step + 2] & last
+    at, polygon, outer = polygons.fans(starts)
+    sides = true[at] & outer
     return Fans(corners[at], polygon, sides, None if number is None else number[at])

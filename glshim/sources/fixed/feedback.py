@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
+from glshim.model.polygons import fan
 from glshim.spec.driver import gl
 
 if TYPE_CHECKING:
@@ -171,8 +172,7 @@ def _parse(
             count = _same(tokens[at:], stride, (token, sides))
             block = tokens[at : at + count * stride].reshape(count, stride)
             corners = block[:, 2:].reshape(count, sides, 3)
-            for k in range(1, sides - 1):
-                triangles.append(corners[:, [0, k, k + 1]])
+            triangles.extend(corners[:, each] for each in fan(sides))
             at += count * stride
         elif token in _VERTICES:
             stride = 1 + 3 * _VERTICES[token]

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.model.batch import PolygonBatch, Wanted
+from glshim.model.batch import PolygonBatch, Wanted, join
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
 from glshim.sources.fixed import normals
-from glshim.sources.fixed.immediate import POLYGON_MODES, concatenate, polygon_corners
+from glshim.sources.fixed.immediate import POLYGON_MODES, polygon_corners
 from glshim.sources.fixed.pointers import address_of
 from glshim.spec.ask import integer, is_enabled, of_buffer, pointer_of
 from glshim.spec.constants import (
@@ -116,7 +116,7 @@ class VertexFetch:
             return kept
         runs = _index_runs(signature, values)
         parts = [self._part(mode, pointer, normal, indices) for indices in runs]
-        batch = concatenate([p for p in parts if len(p.corners)], key)
+        batch = join([p for p in parts if len(p.corners)], key)
         if key is not None:
             given = 0 if batch.normals is None else batch.normals.nbytes
             self._kept.put(key, batch, batch.positions.nbytes + batch.corners.nbytes + given)

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, normals_of, regions_of
+from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, join
+from glshim.model.polygons import fan
 from glshim.sources.fixed import normals
 from glshim.spec.attributes import COLOR, EDGE_FLAG, KIND, NORMAL, SIZE, VERTEX, decode
 from glshim.spec.constants import (
@@ -94,12 +95,7 @@ def polygon_corners(mode: int, count: int) -> tuple[NDArray[np.int32], NDArray[n
         corners[1::2] = corners[1::2, [1, 0, 2]]
         sides = 3
     elif mode == GL_TRIANGLE_FAN:
-        corners = (
-            np.stack([np.zeros(count - 2, np.int32), index[1:-1], index[2:]], 1)
-            if count >= 3
-            else _none(3)
-        )
-        sides = 3
+        corners, sides = fan(count).astype(np.int32), 3
     elif mode == GL_QUAD_STRIP:
         even = index[: count // 2 * 2].reshape(-1, 2)
         corners = (
@@ -159,7 +155,7 @@ def assemble_many(
             parts.extend(assemble(mode, stream, wanted=wanted) for stream in streams)
             continue
         parts.append(_assemble_alike(mode, streams, wanted))
-    return concatenate(parts)
+    return join(parts)
 
 
 def _assemble_alike(mode: int, streams: list[bytes], wanted: Wanted) -> PolygonBatch:
@@ -172,7 +168,7 @@ def _assemble_alike(mode: int, streams: list[bytes], wanted: Wanted) -> PolygonB
     sides = {GL_TRIANGLES: 3, GL_QUADS: 4}.get(mode, count)
     uneven = (counts != count).any() or count < 3 or flags is not None
     if uneven or (wanted.normals and not _all_begin_with(NORMAL, kinds)):
-        return concatenate([assemble(mode, stream, wanted=wanted) for stream in streams])
+        return join([assemble(mode, stream, wanted=wanted) for stream in streams])
     each = count // sides * sides
     index = np.arange(len(positions), dtype=np.int32).reshape(-1, count)[:, :each]
     corners = np.ascontiguousarray(index).reshape(-1)
@@ -188,31 +184,6 @@ def _all_begin_with(kind: int, kinds: NDArray[np.int8]) -> bool:
     said = kinds == kind
     first = (said | (kinds == VERTEX)).argmax(axis=1)
     return not said.any() or bool(said[np.arange(len(said)), first].all())
-
-
-def concatenate(parts: Sequence[PolygonBatch], key: Hashable | None = None) -> PolygonBatch:
-    """Several batches of one space as one."""
-    if len(parts) == 1 and key is None:
-        return parts[0]
-    if not parts:
-        return PolygonBatch(
-            np.empty((0, 3), np.float32), np.empty(0, np.int32), np.zeros(1, np.int32),
-            np.empty(0, np.bool_), key,
-        )  # fmt: skip
-    vertex_base = np.cumsum([0] + [len(p.positions) for p in parts[:-1]])
-    corner_base = np.cumsum([0] + [len(p.corners) for p in parts[:-1]])
-    corners = [p.corners + int(b) for p, b in zip(parts, vertex_base, strict=True)]
-    starts = [p.starts[:-1] + int(b) for p, b in zip(parts, corner_base, strict=True)]
-    total = np.array([sum(len(p.corners) for p in parts)], np.int32)
-    return PolygonBatch(
-        np.concatenate([p.positions for p in parts]),
-        np.concatenate(corners).astype(np.int32, copy=False),
-        np.concatenate([*starts, total]).astype(np.int32, copy=False),
-        np.concatenate([p.boundary for p in parts]),
-        key,
-        regions_of(parts),
-        normals_of(parts),
-    )
 
 
 def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatch:

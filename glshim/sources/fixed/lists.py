@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.model.batch import POSITIONS, PolygonBatch, Wanted
+from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, join
 from glshim.sources.fixed import normals
-from glshim.sources.fixed.immediate import assemble_many, concatenate, transformed
+from glshim.sources.fixed.immediate import assemble_many, transformed
 from glshim.sources.fixed.matrices import matrix_of
 from glshim.sources.fixed.pointers import address_of, numbers_at
 from glshim.sources.source import Call, Primitive
@@ -216,13 +216,13 @@ class ListBook:
         walk.run(self.items(name))
         relative = [b for b, _, loaded in walk.found if not loaded]
         absolute = tuple(
-            (concatenate([b], (*key, i)), m)
+            (join([b], (*key, i)), m)
             for i, (b, m, loaded) in enumerate(walk.found)
             if loaded
         )
         if not relative:
             return ListPolygons(None, absolute)
-        return ListPolygons(concatenate(relative, key), absolute)
+        return ListPolygons(join(relative, key), absolute)
 
 
 class _Walk:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.model import polygons
 from glshim.model.batch import PolygonBatch
 from glshim.model.vectors import cross
 from glshim.spec.ask import integer
@@ -71,13 +72,8 @@ def fans(batch: PolygonBatch) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     kept = (points != points[following]).any(axis=1)
     points, flags, owner = points[kept], batch.boundary[kept], owner[kept]
     sizes = np.bincount(owner, minlength=batch.polygon_count)
-    count = np.maximum(sizes - 2, 0)
-    first = np.repeat(np.cumsum(sizes) - sizes, count)
-    step = np.arange(len(first)) - np.repeat(np.cumsum(count) - count, count)
-    corners = np.stack([first, first + step + 1, first + step + 2], axis=1)
-    flags = flags[corners]
-    flags[:, 0] &= step == 0
-    flags[:, 2] &= step == np.repeat(count, count) - 1
+    corners, _, outer = polygons.fans(np.concatenate(([0], np.cumsum(sizes))))
+    flags = flags[corners] & outer
     points = points[corners]
     with np.errstate(invalid="ignore", over="ignore"):
         sides = (points[:, [1, 2, 0]] - points).astype(np.float64)

@@ -15,10 +15,9 @@ from functools import cached_property
 
 import numpy as np
 
-from glshim.geometry.edges.edges import join
 from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import PolygonBatch, join
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
