@@ -7,6 +7,18 @@ import re
 from functools import cache
 
 from glshim.spec.ask import integer, text
+from glshim.spec.constants import (
+    GL_CONTEXT_CORE_PROFILE_BIT,
+    GL_CONTEXT_PROFILE_MASK,
+    GL_CURRENT_PROGRAM,
+    GL_EXTENSIONS,
+    GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
+    GL_NUM_EXTENSIONS,
+    GL_PRIMITIVE_RESTART,
+    GL_PRIMITIVE_RESTART_FIXED_INDEX,
+    GL_VERSION,
+    GL_VERTEX_ARRAY_BINDING,
+)
 from glshim.spec.driver import gl
 
 Version = tuple[int, int]
@@ -19,15 +31,13 @@ UNAVAILABLE = "intersections need OpenGL {}.{}".format(*MODERN)
 """What older contexts go without, in words."""
 NO_FIXED_FUNCTION = "a core profile has no fixed-function pipeline to follow"
 _FRAMEBUFFERS, _VERTEX_ARRAYS = "GL_ARB_framebuffer_object", "GL_ARB_vertex_array_object"
-_RESTARTS = ((0x8F9D, (3, 1)), (0x8D69, (4, 3)))
-_VERSION, _EXTENSIONS, _UNITS = 0x1F02, 0x1F03, 0x8B4D
-_PROFILE_MASK, _EXTENSION_COUNT = 0x9126, 0x821D
+_RESTARTS = ((GL_PRIMITIVE_RESTART, (3, 1)), (GL_PRIMITIVE_RESTART_FIXED_INDEX, (4, 3)))
 _UNITS_NEEDED = 16
 
 
 def version_text() -> str:
     """What the driver says, empty without a context."""
-    return text(_VERSION)
+    return text(GL_VERSION)
 
 
 def version() -> Version | None:
@@ -52,6 +62,22 @@ def has_vertex_arrays() -> bool:
     return _has((3, 0), _VERTEX_ARRAYS)
 
 
+def obstacles_to_client_arrays() -> tuple[int, ...]:
+    """What must be zero where an app's own draws from client arrays shall do the same as its
+    glBegin and glEnd, by the names of integers; empty where they cannot be relied on at all."""
+    number = version()
+    if number is None or number < (2, 0):
+        return ()
+    # A program of the app's may look at gl_VertexID.
+    program, array_object = GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING
+    if number >= (3, 0):
+        return program, array_object
+    extensions = text(GL_EXTENSIONS)
+    if not extensions:
+        return ()
+    return (program, array_object) if "_vertex_array_object" in extensions else (program,)
+
+
 def has_framebuffers() -> bool:
     """Whether there are framebuffer objects: since 3.0, and where older versions were extended."""
     return _has((3, 0), _FRAMEBUFFERS)
@@ -74,7 +100,7 @@ def shortcoming() -> str:
         return "OpenGL {}.{} without {}".format(*number, _FRAMEBUFFERS)
     if not _has_fixed_function(number):
         return NO_FIXED_FUNCTION
-    units = integer(_UNITS)
+    units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS)
     if units < _UNITS_NEEDED:
         return f"{units} texture units are fewer than the {_UNITS_NEEDED} that lines need"
     return ""
@@ -85,8 +111,8 @@ def _has_fixed_function(number: Version) -> bool:
     if number < (3, 1):
         return True
     if number > (3, 1):
-        return not integer(_PROFILE_MASK) & 1
-    names = (gl.glGetStringi(_EXTENSIONS, i) for i in range(integer(_EXTENSION_COUNT)))
+        return not integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT
+    names = (gl.glGetStringi(GL_EXTENSIONS, i) for i in range(integer(GL_NUM_EXTENSIONS)))
     return any(ctypes.string_at(name) == b"GL_ARB_compatibility" for name in names)
 
 
@@ -94,4 +120,4 @@ def _has(since: Version, extension: str) -> bool:
     number = version()
     if number is None:
         return False
-    return number >= since or extension in text(_EXTENSIONS).split()
+    return number >= since or extension in text(GL_EXTENSIONS).split()

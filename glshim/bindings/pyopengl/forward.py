@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.spec.ask import integer
+from glshim.spec.ask import integer, is_enabled
 from glshim.spec.attributes import (
     BY_NAME,
     COLOR,
@@ -30,23 +30,58 @@ from glshim.spec.attributes import (
     Attribute,
     decode,
 )
+from glshim.spec.constants import (
+    GL_ARRAY_BUFFER,
+    GL_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_CLIENT_VERTEX_ARRAY_BIT,
+    GL_COLOR_ARRAY,
+    GL_EDGE_FLAG_ARRAY,
+    GL_FLOAT,
+    GL_FOG_COORD_ARRAY,
+    GL_INDEX_ARRAY,
+    GL_LINE_STIPPLE,
+    GL_LINE_STRIP,
+    GL_LINES,
+    GL_LIST_INDEX,
+    GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_MAX_TEXTURE_UNITS,
+    GL_MAX_VERTEX_ATTRIBS,
+    GL_NORMAL_ARRAY,
+    GL_POINTS,
+    GL_QUAD_STRIP,
+    GL_QUADS,
+    GL_SECONDARY_COLOR_ARRAY,
+    GL_TEXTURE0,
+    GL_TEXTURE_COORD_ARRAY,
+    GL_TRIANGLE_STRIP,
+    GL_TRIANGLES,
+    GL_VERTEX_ARRAY,
+    GL_VERTEX_ATTRIB_ARRAY_ENABLED,
+)
+from glshim.spec.context import obstacles_to_client_arrays
 from glshim.spec.driver import current_context, gl, quick
 
 SMALL = 128 * RECORD_BYTES
 """Below this many bytes a replay is quicker than setting up arrays (measured)."""
 
-_GL_FLOAT = 0x1406
-_ARRAYS = {VERTEX: 0x8074, NORMAL: 0x8075, COLOR: 0x8076, TEXCOORD: 0x8078}
+_ARRAYS = {
+    VERTEX: GL_VERTEX_ARRAY, NORMAL: GL_NORMAL_ARRAY, COLOR: GL_COLOR_ARRAY,
+    TEXCOORD: GL_TEXTURE_COORD_ARRAY,
+}  # fmt: skip
 """Client states by kind."""
-_LINE_STRIP = 3
 _HEADS = {
-    0: (1, 1), 1: (2, 2), _LINE_STRIP: (2, 1), 4: (3, 3), 5: (4, 2), 7: (4, 4), 8: (4, 2),
+    GL_POINTS: (1, 1), GL_LINES: (2, 2), GL_LINE_STRIP: (2, 1), GL_TRIANGLES: (3, 3),
+    GL_TRIANGLE_STRIP: (4, 2), GL_QUADS: (4, 4), GL_QUAD_STRIP: (4, 2),
 }  # fmt: skip
 """By mode: vertices of the part that is said call by call, and the first vertex of the rest. Fans,
 polygons and line loops cannot be parted."""
-_ENABLED = 0x8622
 _EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
-_CLIENT_STATES = (0x8074, 0x8075, 0x8076, 0x8077, 0x8079, 0x8457, 0x845E)
+_CLIENT_STATES = (
+    GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,
+    GL_FOG_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY,
+)  # fmt: skip
+_UNITS, _ATTRIBUTES = 8, 32
+"""At most so many texture units and generic attributes are looked at."""
 _LONGEST_PERIOD = 4
 _FLOAT = Struct("=f")
 _ONE = _FLOAT.pack(1.0)
@@ -98,13 +133,14 @@ def able(mode: int) -> bool:
     if mode not in _HEADS or not context:
         return False
     if context not in _obstacles:
-        _obstacles[context] = _obstacles_of_version()
+        _obstacles[context] = obstacles_to_client_arrays()
     obstacles = _obstacles[context]
     return bool(
         obstacles
         and not any(map(integer, obstacles))
-        and integer(0x0BB1) < integer(0x0D3B)  # room on the client attribute stack
-        and not (mode == _LINE_STRIP and gl.glIsEnabled(0x0B24))  # the stipple runs along it
+        and integer(GL_CLIENT_ATTRIB_STACK_DEPTH) < integer(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH)
+        # The stipple runs along it.
+        and not (mode == GL_LINE_STRIP and is_enabled(GL_LINE_STIPPLE))
     )
 
 
@@ -112,23 +148,9 @@ _obstacles: dict[int, tuple[int, ...]] = {}
 """By context the integers that must be zero; empty when arrays are out of the question."""
 
 
-def _obstacles_of_version() -> tuple[int, ...]:
-    program, array_object = 0x8B8D, 0x85B5  # a program of the app's may look at gl_VertexID
-    text = gl.glGetString(0x1F02)
-    number = ctypes.string_at(text).split(b".")[0] if text else b""
-    major = int(number) if number.isdigit() else 0
-    if major >= 3:
-        return program, array_object
-    names = gl.glGetString(0x1F03) if major == 2 else None
-    if not names:
-        return ()
-    known = b"_vertex_array_object" in ctypes.string_at(names)
-    return (program, array_object) if known else (program,)
-
-
 def list_open() -> bool:
     """Whether the driver is compiling a display list. Ask outside a primitive."""
-    return bool(current_context() and integer(0x0B33))
+    return bool(current_context() and integer(GL_LIST_INDEX))
 
 
 def draw(mode: int, stream: bytes) -> bool:
@@ -208,27 +230,27 @@ def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], head: int, 
 
 def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> None:
     """One glDrawArrays from these arrays alone."""
-    gl.glPushClientAttrib(0x2)
+    gl.glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT)
     for state in _CLIENT_STATES:
         gl.glDisableClientState(state)
     with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
-        gl.glBindBuffer(0x8892, 0)
+        gl.glBindBuffer(GL_ARRAY_BUFFER, 0)
     for unit in range(_texture_units(), -1, -1):
-        gl.glClientActiveTexture(0x84C0 + unit)
-        gl.glDisableClientState(0x8078)
+        gl.glClientActiveTexture(GL_TEXTURE0 + unit)
+        gl.glDisableClientState(GL_TEXTURE_COORD_ARRAY)
     generic = _generic_arrays()
     for index in generic:
         gl.glDisableVertexAttribArray(index)
     for kind, size, address in arrays:
         gl.glEnableClientState(_ARRAYS[kind])
         if kind == VERTEX:
-            gl.glVertexPointer(size, _GL_FLOAT, stride, address)
+            gl.glVertexPointer(size, GL_FLOAT, stride, address)
         elif kind == NORMAL:
-            gl.glNormalPointer(_GL_FLOAT, stride, address)
+            gl.glNormalPointer(GL_FLOAT, stride, address)
         elif kind == COLOR:
-            gl.glColorPointer(size, _GL_FLOAT, stride, address)
+            gl.glColorPointer(size, GL_FLOAT, stride, address)
         else:
-            gl.glTexCoordPointer(size, _GL_FLOAT, stride, address)
+            gl.glTexCoordPointer(size, GL_FLOAT, stride, address)
     gl.glDrawArrays(mode, 0, count)
     for index in generic:
         gl.glEnableVertexAttribArray(index)
@@ -242,8 +264,8 @@ def _generic_arrays() -> list[int]:
     except AttributeError:
         return []
     found, value = [], ctypes.c_int(0)
-    for index in range(min(integer(0x8869), 32)):
-        get(index, _ENABLED, ctypes.byref(value))
+    for index in range(min(integer(GL_MAX_VERTEX_ATTRIBS), _ATTRIBUTES)):
+        get(index, GL_VERTEX_ATTRIB_ARRAY_ENABLED, ctypes.byref(value))
         if value.value:
             found.append(index)
     return found
@@ -251,7 +273,7 @@ def _generic_arrays() -> list[int]:
 
 def _texture_units() -> int:
     """Highest texture unit whose client array may be enabled."""
-    return max(0, min(integer(0x84E2), 8) - 1)
+    return max(0, min(integer(GL_MAX_TEXTURE_UNITS), _UNITS) - 1)
 
 
 def check(real: Callable[..., Any]) -> Any:

@@ -18,23 +18,69 @@ from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.polygons import fan
+from glshim.spec.ask import integer, pointer_of
+from glshim.spec.constants import (
+    GL_3D,
+    GL_ALL_ATTRIB_BITS,
+    GL_ALPHA_TEST,
+    GL_ATTRIB_STACK_DEPTH,
+    GL_BITMAP_TOKEN,
+    GL_CLIENT_ALL_ATTRIB_BITS,
+    GL_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_CLIP_PLANE0,
+    GL_COPY_PIXEL_TOKEN,
+    GL_CULL_FACE,
+    GL_DRAW_PIXEL_TOKEN,
+    GL_FEEDBACK,
+    GL_FEEDBACK_BUFFER_POINTER,
+    GL_FEEDBACK_BUFFER_SIZE,
+    GL_FEEDBACK_BUFFER_TYPE,
+    GL_FILL,
+    GL_FOG,
+    GL_FRONT_AND_BACK,
+    GL_INVALID_ENUM,
+    GL_INVALID_VALUE,
+    GL_LIGHTING,
+    GL_LINE,
+    GL_LINE_RESET_TOKEN,
+    GL_LINE_STIPPLE,
+    GL_LINE_TOKEN,
+    GL_MATRIX_MODE,
+    GL_MAX_ATTRIB_STACK_DEPTH,
+    GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_MODELVIEW,
+    GL_MODELVIEW_MATRIX,
+    GL_PASS_THROUGH_TOKEN,
+    GL_POINT_TOKEN,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_STIPPLE,
+    GL_POLYGON_TOKEN,
+    GL_PROJECTION,
+    GL_PROJECTION_MATRIX,
+    GL_RENDER,
+)
 from glshim.spec.driver import gl
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_FEEDBACK, _RENDER = 0x1C01, 0x1C00
-_GL_3D = 0x0601
-_POINT, _LINE, _POLYGON, _BITMAP, _DRAW_PIXEL, _COPY_PIXEL, _LINE_RESET, _PASS = (
-    0x0701, 0x0702, 0x0703, 0x0704, 0x0705, 0x0706, 0x0707, 0x0700,
+_VERTICES = {
+    GL_POINT_TOKEN: 1, GL_LINE_TOKEN: 2, GL_BITMAP_TOKEN: 1, GL_DRAW_PIXEL_TOKEN: 1,
+    GL_COPY_PIXEL_TOKEN: 1, GL_LINE_RESET_TOKEN: 2,
+}  # fmt: skip
+"""Of each token but polygons."""
+_OFF = (
+    GL_CULL_FACE, GL_LIGHTING, GL_FOG, GL_POLYGON_OFFSET_FILL, GL_ALPHA_TEST, GL_POLYGON_STIPPLE,
+    GL_LINE_STIPPLE, *(GL_CLIP_PLANE0 + k for k in range(6)),
 )  # fmt: skip
-_VERTICES = {_POINT: 1, _LINE: 2, _BITMAP: 1, _DRAW_PIXEL: 1, _COPY_PIXEL: 1, _LINE_RESET: 2}
-_FILLED, _LINES = 0x1B02, 0x1B01
-_OFF = (0x0B44, 0x0B50, 0x0B60, 0x8037, 0x0BC0, 0x0B42, 0x0B24,
-        0x3000, 0x3001, 0x3002, 0x3003, 0x3004, 0x3005)  # fmt: skip
-"""Culling, lighting, fog, polygon offset, alpha test, stipple, clip planes: not in the way."""
-_STACKS = ((0x0BB0, 0x0D35), (0x0BB1, 0x0D3B))
+"""What is in the way."""
+_STACKS = (
+    (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),
+    (GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH),
+)
 """Depths of the attribute stacks, and their limits."""
+_NO_SWITCH = 0xFFFF
+"""A number that GL knows no switch by."""
 _SIDE = 1024
 _FIRST_RADIUS = 1.0e6
 _COARSE = 2.0**-21
@@ -50,7 +96,7 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
     with _stage() as set_stage:
         radius = _FIRST_RADIUS
         while True:
-            triangles, _ = _parse(_run(draw, set_stage, radius, _FILLED), radius)
+            triangles, _ = _parse(_run(draw, set_stage, radius, GL_FILL), radius)
             if not len(triangles):
                 return None
             # Window coordinates are floats: what comes back is as coarse as the stage is large.
@@ -58,43 +104,38 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
             if reach > radius / 16.0:
                 break
             radius = reach
-        _, lines = _parse(_run(draw, set_stage, radius, _LINES), radius)
+        _, lines = _parse(_run(draw, set_stage, radius, GL_LINE), radius)
     return _batch(triangles, lines, key)
 
 
 def possible() -> bool:
     """Whether there is room on the attribute stacks. Ask before :func:`polygons`."""
-    depth, limit = ctypes.c_int(), ctypes.c_int()
-    for name, most in _STACKS:
-        gl.glGetIntegerv(name, ctypes.byref(depth))
-        gl.glGetIntegerv(most, ctypes.byref(limit))
-        if depth.value >= limit.value:
-            return False
-    return True
+    return all(integer(depth) < integer(limit) for depth, limit in _STACKS)
 
 
 @contextmanager
 def _stage() -> Iterator[Callable[[float, int], None]]:
     """Feedback's surroundings: a callable that sets them up, undone at the end."""
-    pointer, size, kind = ctypes.c_void_p(), ctypes.c_int(), ctypes.c_int()
-    gl.glGetPointerv(0x0DF0, ctypes.byref(pointer))
-    gl.glGetIntegerv(0x0DF1, ctypes.byref(size))
-    gl.glGetIntegerv(0x0DF2, ctypes.byref(kind))
+    buffer = (
+        integer(GL_FEEDBACK_BUFFER_SIZE),
+        integer(GL_FEEDBACK_BUFFER_TYPE),
+        pointer_of(GL_FEEDBACK_BUFFER_POINTER) or None,
+    )
     error = gl.glGetError()
     saved = _save_matrices()
-    gl.glPushAttrib(0xFFFFFFFF)
-    gl.glPushClientAttrib(0xFFFFFFFF)
+    gl.glPushAttrib(GL_ALL_ATTRIB_BITS)
+    gl.glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS)
 
     def set_stage(radius: float, faces: int) -> None:
         for switch in _OFF:
             gl.glDisable(switch)
-        gl.glPolygonMode(0x0408, faces)
+        gl.glPolygonMode(GL_FRONT_AND_BACK, faces)
         gl.glViewport(0, 0, _SIDE, _SIDE)
         gl.glDepthRange(0.0, 1.0)
-        gl.glMatrixMode(0x1701)
+        gl.glMatrixMode(GL_PROJECTION)
         gl.glLoadIdentity()
         gl.glOrtho(-radius, radius, -radius, radius, -radius, radius)
-        gl.glMatrixMode(0x1700)
+        gl.glMatrixMode(GL_MODELVIEW)
         gl.glLoadIdentity()
 
     try:
@@ -103,7 +144,7 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         _restore_matrices(saved)
-        gl.glFeedbackBuffer(size.value, kind.value, pointer)
+        gl.glFeedbackBuffer(*buffer)
         while gl.glGetError():
             pass
         if error:
@@ -112,28 +153,27 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
 
 def _raise_flag(error: int) -> None:
     """Set the GL error flag again that the app has not asked for yet."""
-    if error == 0x0500:
-        gl.glEnable(0xFFFF)
-    elif error == 0x0501:
+    if error == GL_INVALID_ENUM:
+        gl.glEnable(_NO_SWITCH)
+    elif error == GL_INVALID_VALUE:
         gl.glViewport(0, 0, -1, -1)
     else:
         gl.glEnd()
 
 
 def _save_matrices() -> tuple[int, Any, Any]:
-    mode = ctypes.c_int()
+    """The matrix mode, and both matrices as the driver takes them back."""
     modelview, projection = (ctypes.c_float * 16)(), (ctypes.c_float * 16)()
-    gl.glGetIntegerv(0x0BA0, ctypes.byref(mode))
-    gl.glGetFloatv(0x0BA6, modelview)
-    gl.glGetFloatv(0x0BA7, projection)
-    return mode.value, modelview, projection
+    gl.glGetFloatv(GL_MODELVIEW_MATRIX, modelview)
+    gl.glGetFloatv(GL_PROJECTION_MATRIX, projection)
+    return integer(GL_MATRIX_MODE), modelview, projection
 
 
 def _restore_matrices(saved: tuple[int, Any, Any]) -> None:
     mode, modelview, projection = saved
-    gl.glMatrixMode(0x1701)
+    gl.glMatrixMode(GL_PROJECTION)
     gl.glLoadMatrixf(projection)
-    gl.glMatrixMode(0x1700)
+    gl.glMatrixMode(GL_MODELVIEW)
     gl.glLoadMatrixf(modelview)
     gl.glMatrixMode(mode)
 
@@ -145,12 +185,12 @@ def _run(
     while True:
         buffer = np.empty(size, np.float32)
         set_stage(radius, faces)
-        gl.glFeedbackBuffer(size, _GL_3D, buffer.ctypes.data)
-        gl.glRenderMode(_FEEDBACK)
+        gl.glFeedbackBuffer(size, GL_3D, buffer.ctypes.data)
+        gl.glRenderMode(GL_FEEDBACK)
         try:
             draw()
         finally:
-            written = gl.glRenderMode(_RENDER)
+            written = gl.glRenderMode(GL_RENDER)
         if written >= 0:
             return buffer[:written]
         size *= 4
@@ -166,7 +206,7 @@ def _parse(
     # Runs of equal tokens are taken at once: lists of 100k triangles are one run.
     while at < end:
         token = int(tokens[at])
-        if token == _POLYGON:
+        if token == GL_POLYGON_TOKEN:
             sides = int(tokens[at + 1])
             stride = 2 + 3 * sides
             count = _same(tokens[at:], stride, (token, sides))
@@ -181,7 +221,7 @@ def _parse(
                 block = tokens[at : at + count * stride].reshape(count, stride)
                 lines.append(block[:, 1:].reshape(count, 2, 3))
             at += count * stride
-        elif token == _PASS:
+        elif token == GL_PASS_THROUGH_TOKEN:
             at += 2
         else:
             break
