@@ -47,6 +47,7 @@ def test_contract(name: str, check: Callable[[Rig], None], monkeypatch: pytest.M
     check(rig)
 
 
+@pytest.mark.programs
 @pytest.mark.parametrize("name", ["glfw", "GLUT", "GLUT, single-buffered", "pygame"])
 def test_contract_on_the_toolkit_itself(name: str) -> None:
     done = subprocess.run(
