@@ -57,7 +57,7 @@ def grouped(given: Iterable[Lines]) -> list[Group]:
                 affine = camera.affine()
                 if not all(map(isfinite, affine.modelview.ravel().tolist())):
                     continue
-                known = seen[id(camera)] = (affine, lens_of(affine))
+                known = seen[id(camera)] = (affine, affine.lens)
             affine, lens = known
             found.setdefault((lens, look), ([], lines))[0].append((batch, affine))
     return [Group(tuple(items), _wanted(lines), lines.medium) for items, lines in found.values()]
@@ -78,17 +78,4 @@ def _look_alike(lines: Lines, other: Lines) -> bool:
         and one.uniforms is two.uniforms
         and one.image is two.image
         and one.pattern is two.pattern
-    )
-
-
-def lens_of(camera: Camera) -> Hashable:
-    """All of a camera but its modelview."""
-    return (
-        camera.projection.tobytes(),
-        camera.viewport,
-        camera.depth_range,
-        camera.front_ccw,
-        camera.scissor,
-        camera.clip_planes,
-        camera.stencil,
     )

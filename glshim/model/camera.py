@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -35,7 +36,7 @@ class Camera:
     """glStencilFunc's function, reference and mask, or None when the stencil test is off."""
     lit: bool = False
     """GL_LIGHTING was on. This, `gleams` and `textured` are read for stylers that want lights, and
-    are no part of the view."""
+    are no part of `lens` and `key`."""
     gleams: bool = False
     """The front material had a specular colour."""
     textured: bool = False
@@ -54,6 +55,19 @@ class Camera:
     def under(self, modelview: Matrix) -> Camera:
         """The same with another modelview."""
         return replace(self, modelview=modelview)
+
+    @property
+    def lens(self) -> Hashable:
+        """All but the modelview, equal for cameras that show one eye space alike."""
+        return (
+            self.projection.tobytes(), self.viewport, self.depth_range, self.front_ccw,
+            self.scissor, self.clip_planes, self.stencil,
+        )  # fmt: skip
+
+    @property
+    def key(self) -> Hashable:
+        """Modelview and lens, equal for cameras that show one object space alike."""
+        return self.modelview.tobytes(), self.lens
 
     @property
     def mirrored(self) -> bool:

@@ -67,11 +67,7 @@ class Layer:
         for place, (batch, camera) in enumerate(self.items):
             key = known.get(id(camera))
             if key is None:
-                key = known[id(camera)] = (
-                    camera.modelview.tobytes(), camera.projection.tobytes(), camera.viewport,
-                    camera.depth_range, camera.front_ccw, camera.scissor, camera.clip_planes,
-                    camera.stencil,
-                )  # fmt: skip
+                key = known[id(camera)] = camera.key
             batches, _, order = found.setdefault(key, ([], camera, []))
             batches.append(batch)
             order.append(place)

@@ -12,7 +12,6 @@ import numpy as np
 
 from glshim.errors import RenderError
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
-from glshim.linework.groups import lens_of
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.notices import say_once
@@ -101,7 +100,7 @@ class Runner:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
                     continue
-                lens = lens_of(camera)
+                lens = camera.lens
                 if lens not in views:
                     views[lens] = inputs_of(turned(camera, reversed_depth), frame)
                 inputs = views[lens]
