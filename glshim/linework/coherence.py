@@ -3,7 +3,7 @@
 McGuire & Hughes 2004, section 4, give each edge a pattern of its own (object space: it jumps where
 edges take over from each other) or cut it out of the screen (it swims under rotation), for their
 GPU knew neither the next edge nor the last frame. Here strokes run on along chains by arc length
-(`glshim.linework.chains`), and each takes the phase of what was drawn nearby in the frame
+(`glshim.linework.walk`), and each takes the phase of what was drawn nearby in the frame
 before.
 """
 
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.window import window
-from glshim.linework.chains import Walk
+from glshim.linework.walk import Walk
 from glshim.model.arrays import Complexes, Doubles, Rows
 from glshim.model.camera import Camera
 from glshim.model.vectors import dot, unit

@@ -18,7 +18,6 @@ from glshim.geometry.edges.edges import Edges
 from glshim.geometry.edges.folds import FLAT, Folds, Topology
 from glshim.geometry.edges.gather import Placement
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.linework.chains import measure
 from glshim.linework.coherence import Drawn, Past, follow, keep
 from glshim.linework.hand import begun_anywhere, lifts, own_numbers
 from glshim.linework.polygon_lines import (
@@ -31,6 +30,7 @@ from glshim.linework.polygon_lines import (
     single_side_lines,
 )
 from glshim.linework.smooth_lines import SmoothPieces
+from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import GRAIN, is_ridge, is_valley

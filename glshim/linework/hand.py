@@ -2,7 +2,7 @@
 
 NPRQuake draws every polygon's side as a stroke of its own, which overshoots its ends. On a mesh a
 side may be a pixel long, so here a stroke is what a hand would draw in one go: a chain of lines
-(`glshim.linework.chains`) from one corner on the screen to the next.
+(`glshim.linework.walk`) from one corner on the screen to the next.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from glshim.linework.chains import Walk
+from glshim.linework.walk import Walk
 from glshim.model.arrays import Complexes, Doubles, Flags, Rows
 from glshim.model.lines import ENDLESS
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from glshim.geometry.edges.edges import Edges, neighbours
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.chains import link, measure
 from glshim.linework.hand import own_numbers
+from glshim.linework.joins import link
+from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import is_ridge, is_valley

@@ -25,7 +25,7 @@ MODULES = {
     "glshim.geometry.contour.smooth_lines": "glshim.linework.smooth_lines",
     "glshim.geometry.lights": "glshim.model.lights",
     "glshim.geometry.passes": "glshim.geometry.meshshaders",
-    "glshim.geometry.strokes.chains": "glshim.linework.chains",
+    "glshim.geometry.strokes.chains": "glshim.linework.walk",
     "glshim.geometry.strokes.coherence": "glshim.linework.coherence",
     "glshim.geometry.strokes.edges": "glshim.geometry.edges.edges",
     "glshim.geometry.strokes.feature_lines": "glshim.linework.feature_lines",

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from glshim.linework import coherence
-from glshim.linework.chains import measure
 from glshim.linework.coherence import Drawn, Past, follow, kept_with, latest, paired
+from glshim.linework.walk import measure
 from glshim.model.camera import Camera
 from glshim.styling.wishes import Pattern
 from tests import look

@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from glshim.geometry.recovery.mesh import mesh
-from glshim.linework.chains import measure
 from glshim.linework.feature_lines import EdgeLines, feature_lines
 from glshim.linework.hand import begun_anywhere, lifts
+from glshim.linework.walk import measure
 from glshim.model.camera import Camera
 from glshim.model.lines import ENDLESS, RECORD, group_of
 from glshim.styling.wishes import Features, Pattern
 from tests import look
-from tests.unit.test_chains import FLAT, circle, polyline
+from tests.unit.test_walk import FLAT, circle, polyline
 
 CORNER = np.radians(40.0)
 WHOLE = Pattern((100.0,) * 8, 0.0, CORNER)

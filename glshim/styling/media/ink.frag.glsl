@@ -22,7 +22,7 @@ float covered(float s, float past, vec2 from_b) {
 }
 
 // The ink at t along and s outwards. Round an outer corner of an outline the pattern runs on in its
-// middle (glshim/linework/chains.py).
+// middle (glshim/linework/walk.py).
 vec4 drawn_at(float t, float s) {
     if (textured == 0.0) return vec4(inks[group], 1.0);
     float on = t, off = s, past = t - span;
