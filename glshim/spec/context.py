@@ -12,6 +12,7 @@ from glshim.spec.constants import (
     GL_CONTEXT_PROFILE_MASK,
     GL_CURRENT_PROGRAM,
     GL_EXTENSIONS,
+    GL_LIST_INDEX,
     GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
     GL_NUM_EXTENSIONS,
     GL_PRIMITIVE_RESTART,
@@ -19,7 +20,7 @@ from glshim.spec.constants import (
     GL_VERSION,
     GL_VERTEX_ARRAY_BINDING,
 )
-from glshim.spec.driver import gl
+from glshim.spec.driver import current_context, gl
 
 Version = tuple[int, int]
 
@@ -55,6 +56,11 @@ def restarts_primitives() -> bool:
     """Whether some index ends a primitive in the draws of now. Asks what this version knows."""
     number = version() or OLDEST
     return any(number >= since and gl.glIsEnabled(switch) for switch, since in _RESTARTS)
+
+
+def compiles_a_list() -> bool:
+    """Whether the driver is compiling a display list. Ask outside a primitive."""
+    return bool(current_context() and integer(GL_LIST_INDEX))
 
 
 def has_vertex_arrays() -> bool:

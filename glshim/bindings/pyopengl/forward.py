@@ -42,7 +42,6 @@ from glshim.spec.constants import (
     GL_LINE_STIPPLE,
     GL_LINE_STRIP,
     GL_LINES,
-    GL_LIST_INDEX,
     GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
     GL_MAX_TEXTURE_UNITS,
     GL_MAX_VERTEX_ATTRIBS,
@@ -146,11 +145,6 @@ def able(mode: int) -> bool:
 
 _obstacles: dict[int, tuple[int, ...]] = {}
 """By context the integers that must be zero; empty when arrays are out of the question."""
-
-
-def list_open() -> bool:
-    """Whether the driver is compiling a display list. Ask outside a primitive."""
-    return bool(current_context() and integer(GL_LIST_INDEX))
 
 
 def draw(mode: int, stream: bytes) -> bool:

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import Watcher
-from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.spec.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,
     INSIDE,
@@ -103,7 +103,7 @@ class Watch:
                 try:
                     return real(*args)
                 finally:
-                    if opens and not _RECORD.list_open and forward.list_open():
+                    if opens and not _RECORD.list_open and compiles_a_list():
                         _RECORD.open_list(capturing=False)
 
             return hook
@@ -176,7 +176,7 @@ class Watch:
                 try:
                     return real(*args)
                 finally:
-                    if closed and forward.list_open():
+                    if closed and compiles_a_list():
                         if watcher is not None:
                             watcher.after(role, name, args, real)
                         self._follow_lists(True)

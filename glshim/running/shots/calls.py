@@ -11,7 +11,6 @@ import ctypes
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.raw import Call
 from glshim.notices import say_once
 from glshim.running.shots import bitmaps
@@ -38,6 +37,7 @@ from glshim.spec.constants import (
     GL_ZOOM_X,
     GL_ZOOM_Y,
 )
+from glshim.spec.context import compiles_a_list
 from glshim.spec.driver import gl
 from glshim.spec.pixels import ANSWERS, POSITIONS, PixelRole, Position, pixel_role
 
@@ -99,7 +99,7 @@ class Calls:
 
     def _mapping(self) -> Mapping | None:
         """The mapping for a call that is about the window, None for one about something else."""
-        if forward.list_open():
+        if compiles_a_list():
             return self._ahead()
         self._settle()
         now = self._current()
@@ -223,7 +223,7 @@ class Calls:
 
     def _copy(self, real: Call, args: Any) -> Any:
         mapping = self._mapping()
-        if mapping is None or forward.list_open() or len(args) != 5:
+        if mapping is None or compiles_a_list() or len(args) != 5:
             return real(*args)
         zoom = [reals(each, 1)[0] for each in _ZOOM]
         gl.glPixelZoom(zoom[0] / mapping.across, zoom[1] / mapping.up)
