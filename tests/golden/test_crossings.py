@@ -11,6 +11,7 @@ from OpenGL import GL
 from glshim.linework import intersections as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
+from glshim.model.lines import Line
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.plain import OFF
 from glshim.outputs.gl.frame.depth import DepthCopy
@@ -171,7 +172,7 @@ def test_every_visible_crossing_is_found(finder, name):
         camera = camera_for(k, direction)
         items = placed(camera, *meshes)
         records, depth = finder(*items)
-        found = sampled(records[:, :6].reshape(-1, 2, 3).astype(float), camera)
+        found = sampled(records[:, Line.ENDS].reshape(-1, 2, 3).astype(float), camera)
         eye = world @ camera.modelview[:3, :3].T + camera.modelview[:3, 3]
         truth = sampled(eye, camera)
         seen = truth[clearly_seen(truth, depth, camera)]
@@ -192,7 +193,7 @@ def test_triangles_smaller_than_pixels(finder, cells):
     for k, direction in enumerate(look.directions(4)):
         camera = camera_for(k, direction)
         records, depth = finder(*placed(camera, (ball, np.eye(4)), (floor, np.eye(4))))
-        found = sampled(records[:, :6].reshape(-1, 2, 3).astype(float), camera)
+        found = sampled(records[:, Line.ENDS].reshape(-1, 2, 3).astype(float), camera)
         eye = circle @ camera.modelview[:3, :3].T + camera.modelview[:3, 3]
         truth = window(eye, camera)
         seen = truth[clearly_seen(truth, depth, camera)]

@@ -15,7 +15,7 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.window import window
 from glshim.linework.feature_lines import EdgeLines, feature_lines
 from glshim.model.camera import Camera
-from glshim.model.lines import CONTOUR, SUGGESTIVE, group_of, kind_of
+from glshim.model.lines import CONTOUR, SUGGESTIVE, Line, group_of, kind_of
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Features
@@ -156,7 +156,7 @@ def smooth_lines(made, view, **more):
     """Records of smooth contours alone and their ends in the window."""
     wanted = Features(contours=True, smooth=True, **more)
     records, _ = feature_lines([(EdgeLines(mesh(made)), view.modelview)], view, wanted)
-    ends = [window(records[:, k : k + 3].astype(float), view) for k in (0, 3)]
+    ends = [window(records[:, end].astype(float), view) for end in (Line.A, Line.B)]
     return records, ends
 
 
@@ -184,7 +184,7 @@ def test_smooth_contours_of_a_sphere_lie_on_its_outline_and_close(eye):
 
 def assert_closed(records):
     """Every line's end is where just one other begins."""
-    a, b = (np.round(records[:, k : k + 3], 4) for k in (0, 3))
+    a, b = (np.round(records[:, end], 4) for end in (Line.A, Line.B))
     long = np.linalg.norm(b - a, axis=1) > 1e-6
     a, b = (sorted(map(tuple, end[long].tolist())) for end in (a, b))
     assert len(a) > 20
@@ -262,7 +262,7 @@ def test_suggestive_contours_lie_on_front_faces_and_stay_inside(backend):
         pieces = lines.pieces
         eye = np.linalg.inv(view.modelview)[:3, 3]
         back = np.linalg.inv(view.modelview)
-        middle = (records[:, 0:3] + records[:, 3:6]) / 2 @ back[:3, :3].T + back[:3, 3]
+        middle = (records[:, Line.A] + records[:, Line.B]) / 2 @ back[:3, :3].T + back[:3, 3]
         away = ((middle[:, None] - pieces.positions[None]) ** 2).sum(axis=2)
         nearest = away.argmin(axis=1)
         facing = (pieces.normals[nearest] * (eye - pieces.positions[nearest])).sum(axis=1)

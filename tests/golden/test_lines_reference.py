@@ -15,7 +15,16 @@ from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
 from glshim.linework.polygon_lines import lines
 from glshim.model.camera import Camera
-from glshim.model.lines import FIN, INTERSECTION, LONE_RIDGE, OUTLINES, RIDGE, RING, VALLEY
+from glshim.model.lines import (
+    FIN,
+    INTERSECTION,
+    LONE_RIDGE,
+    OUTLINES,
+    RIDGE,
+    RING,
+    VALLEY,
+    Line,
+)
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.frame.cameras import turned
@@ -64,10 +73,10 @@ def records_of(mesh, camera, angle):
     choice = Choice(silhouettes=True, ridge_angle=angle, valley_angle=2 * np.pi - angle)
     known = lines(parts, camera, choice)
     alone = lines(parts, camera, dataclasses.replace(choice, connectivity=False))
-    crossing = known[np.isin(known[:, 15], (RIDGE, VALLEY))].copy()
-    crossing[:, 15] = INTERSECTION
+    crossing = known[np.isin(known[:, Line.KIND], (RIDGE, VALLEY))].copy()
+    crossing[:, Line.KIND] = INTERSECTION
     found = np.concatenate([known, alone, crossing])
-    found[:, 16:18] = np.random.default_rng(2).uniform(-3, 3, (len(found), 2))
+    found[:, Line.REPEATS] = np.random.default_rng(2).uniform(-3, 3, (len(found), 2))
     return found
 
 
@@ -104,7 +113,7 @@ def shaken(records, camera, rng):
     """Both, as far off as rounding to float32 may put them."""
     projection = camera.projection * (1 + 5e-7 * rng.uniform(-1, 1, (4, 4)))
     some = records.astype(np.float64)
-    some[:, :15] *= 1 + 5e-7 * rng.uniform(-1, 1, (len(records), 15))
+    some[:, : Line.KIND] *= 1 + 5e-7 * rng.uniform(-1, 1, (len(records), 15))
     return some, dataclasses.replace(camera, projection=projection)
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -24,6 +22,7 @@ from glshim.geometry.contour.curvature import (
 )
 from glshim.model.camera import Camera
 from tests import look
+from tests.counted import work
 from tests.surfaces import TORUS, blob, grid, icosphere, torus, torus_normals
 
 EYES = [(2.0, 3.0, 4.0, 1.0), (0.3, -0.5, 0.8, 0.0), (-4.0, -6.0, -8.0, -2.0)]
@@ -374,18 +373,17 @@ def test_no_triangles():
         assert found.ends.shape == (0, 2, 3) and found.chains().shape == (0,)
 
 
-def test_a_hundred_thousand_triangles_are_quick():
-    mesh = shape(*torus(320, 160)[:2])
-    derivatives = curvature_derivatives(mesh[0], mesh[1], mesh[3])
+def test_what_a_hundred_thousand_triangles_take_grows_by_their_number_alone():
+    """16 times as many triangles: hardly a call more, and memory by their number."""
     eye = np.array((0.0, -3.0, 1.6, 1.0))
 
-    def best(run):
-        times = []
-        for _ in range(5):
-            start = time.perf_counter()
-            run()
-            times.append(time.perf_counter() - start)
-        return min(times)
+    def taken(rings, sides):
+        mesh = shape(*torus(rings, sides)[:2])
+        derivatives = curvature_derivatives(mesh[0], mesh[1], mesh[3])
+        smooth = work(lambda: smooth_contours(*mesh[:3], eye))
+        return smooth, work(lambda: suggestive_contours(*mesh, eye, derivatives=derivatives))
 
-    assert best(lambda: smooth_contours(*mesh[:3], eye)) < 0.03
-    assert best(lambda: suggestive_contours(*mesh, eye, derivatives=derivatives)) < 0.06
+    for few, many, share in zip(taken(80, 40), taken(320, 160), (16, 40), strict=True):
+        assert many.calls <= 1.2 * few.calls < 1000, (few, many)
+        assert many.bytes <= 20 * few.bytes, (few, many)
+        assert many.bytes <= share * 102_400, (few, many)

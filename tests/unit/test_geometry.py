@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from glshim.geometry.edges.edges import dihedral, edges, edges_of_each
@@ -24,6 +24,7 @@ from glshim.model.lines import (
     RIDGE,
     RING,
     VALLEY,
+    Line,
 )
 from glshim.styling.wishes import Choice
 from tests import look
@@ -50,14 +51,14 @@ def choose(found, seen, choice, places=None):
 
 def kinds(records):
     """How many rings (of any kind), ridges, lone ridges and fins."""
-    count = {k: int((np.floor(records[:, 15]) == k).sum()) for k in range(9)}
+    count = {k: int((np.floor(records[:, Line.KIND]) == k).sum()) for k in range(9)}
     rings = count[RING] + count[CONTOUR] + count[HOLLOW]
     return {RING: rings, RIDGE: count[RIDGE], LONE_RIDGE: count[LONE_RIDGE], FIN: count[FIN]}
 
 
 def ends_of(records, modelview):
     """(L, 6) both ends of each line, from eye space back into object space."""
-    eye = records[:, :6].reshape(-1, 3).astype(float)
+    eye = records[:, Line.ENDS].reshape(-1, 3).astype(float)
     back = np.linalg.inv(modelview)
     return (eye @ back[:3, :3].T + back[:3, 3]).reshape(-1, 6)
 
@@ -221,7 +222,7 @@ def test_silhouettes_do_not_depend_on_the_winding(front_ccw, mirror):
     found = choose(edges(look.torus()), turned, Choice(silhouettes=True))
     assert len(found) == len(plain)
     plain, found = ends_of(plain, camera().modelview), ends_of(found, turned.modelview)
-    ends, wanted = found[:, 0:3] * mirror, np.concatenate([plain[:, 0:3], plain[:, 3:6]])
+    ends, wanted = found[:, Line.A] * mirror, np.concatenate([plain[:, Line.A], plain[:, Line.B]])
     assert (np.abs(ends[:, None] - wanted).max(axis=2).min(axis=1) < 1e-5).all()
 
 
@@ -240,7 +241,8 @@ def test_a_doubled_surface_has_the_silhouettes_of_one():
     two = choose(edges(doubled), camera(), Choice(silhouettes=True))
 
     def places(records):
-        return {frozenset(map(tuple, (r[:3], r[3:6]))) for r in np.round(records.astype(float), 5)}
+        rounded = np.round(records.astype(float), 5)
+        return {frozenset(map(tuple, (r[Line.A], r[Line.B]))) for r in rounded}
 
     assert places(one) == places(two)
 
@@ -261,13 +263,12 @@ def test_centre_tells_the_winding_in_the_window(seed):
     triangle = rng.normal(size=(3, 3))
     normal = np.cross(triangle[1] - triangle[0], triangle[2] - triangle[0])
     clip = np.c_[triangle, np.ones(3)] @ (projection @ modelview).T
-    if (clip[:, 3] <= 0).any():
-        return
+    assume((clip[:, 3] > 0).all())
     x, y = (clip[:, :2] / clip[:, 3:]).T
     area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
     found = np.append(normal, -normal @ triangle[0]) @ seen.object_centre
-    if abs(area) > 1e-9:
-        assert np.sign(found) == np.sign(area)
+    assume(abs(area) > 1e-9)
+    assert np.sign(found) == np.sign(area)
 
 
 def test_mirrored():
@@ -355,10 +356,10 @@ def test_valleys_fold_by_more_than_the_threshold(angle, count):
                       [[0, 1, 2, 3], [1, 0, 5, 4]])  # fmt: skip
     choice = Choice(valley_angle=np.radians(angle))
     found = choose(edges(wall), camera(look.look_at((1, 3, 2.5))), choice)
-    assert (np.floor(found[:, 15]) == VALLEY).sum() == count
-    assert (found[:, 15] == LONE_VALLEY).sum() == 6
+    assert (np.floor(found[:, Line.KIND]) == VALLEY).sum() == count
+    assert (found[:, Line.KIND] == LONE_VALLEY).sum() == 6
     behind = choose(edges(wall), camera(look.look_at((1, -3, -2.5))), choice)
-    assert (np.floor(behind[:, 15]) == VALLEY).sum() == 0  # a ridge from there
+    assert (np.floor(behind[:, Line.KIND]) == VALLEY).sum() == 0  # a ridge from there
     assert kinds(choose(edges(wall), camera(look.look_at((1, -3, -2.5))), BOTH))[RIDGE] == 1
 
 
@@ -371,9 +372,9 @@ def test_cutting_a_mesh_into_objects_changes_no_line(name):
 
     def places(records):
         """Unordered ends in the eye's space, and the kind."""
-        rounded = np.round(records[:, :6].astype(float), 4) + 0.0
+        rounded = np.round(records[:, Line.ENDS].astype(float), 4) + 0.0
         return sorted((*sorted((tuple(r[:3]), tuple(r[3:]))), k)
-                      for r, k in zip(rounded, records[:, 15], strict=True))  # fmt: skip
+                      for r, k in zip(rounded, records[:, Line.KIND], strict=True))  # fmt: skip
 
     whole = choose(edges(mesh), seen, choice)
     polygons = look.polygons_of(mesh)
@@ -400,15 +401,16 @@ def test_outlines_know_where_they_go_on():
     found = choose(edges(look.torus()), camera(), Choice(silhouettes=True))
     goes_on = (found[:, 6:9] != found[:, 3:6]).any(axis=1)
     assert goes_on.mean() > 0.98
-    begins = {tuple(np.round(r, 5)) for r in found[:, 0:3].astype(float)}
-    assert all(tuple(np.round(r, 5)) in begins for r in found[:, 3:6].astype(float))
+    begins = {tuple(np.round(r, 5)) for r in found[:, Line.A].astype(float)}
+    assert all(tuple(np.round(r, 5)) in begins for r in found[:, Line.B].astype(float))
 
 
 def test_without_connectivity_every_side_stands_alone():
     choice = replace(BOTH, valley_angle=np.radians(240.0), connectivity=False)
     found = choose(edges(look.cube()), camera(), choice)
-    assert (found[:, 15] == FIN).sum() == 24
-    assert (found[:, 15] == LONE_RIDGE).sum() == (found[:, 15] == LONE_VALLEY).sum() == 12
+    assert (found[:, Line.KIND] == FIN).sum() == 24
+    assert (found[:, Line.KIND] == LONE_RIDGE).sum() == 12
+    assert (found[:, Line.KIND] == LONE_VALLEY).sum() == 12
 
 
 def test_polygons_sent_twice_make_no_crease():
@@ -419,8 +421,8 @@ def test_polygons_sent_twice_make_no_crease():
     choice = Choice(ridge_angle=np.radians(120.0), valley_angle=np.radians(240.0))
     seen = camera(look.look_at((1, 0.5, 5)))
     found = choose(edges(look.batch(points, flat)), seen, choice)
-    ends = found[:, 0:6].reshape(-1, 2, 3) @ np.linalg.inv(seen.modelview)[:3, :3].T
+    ends = found[:, Line.ENDS].reshape(-1, 2, 3) @ np.linalg.inv(seen.modelview)[:3, :3].T
     ends += np.linalg.inv(seen.modelview)[:3, 3]
     assert not np.isclose(ends[:, :, 0], 1.0, atol=1e-5).all(axis=1).any()
     wall = choose(edges(look.batch(points, [*flat, [4, 6, 7, 1]])), seen, choice)
-    assert (wall[:, 15] == LONE_VALLEY).sum() > (found[:, 15] == LONE_VALLEY).sum()
+    assert (wall[:, Line.KIND] == LONE_VALLEY).sum() > (found[:, Line.KIND] == LONE_VALLEY).sum()

@@ -14,7 +14,7 @@ from glshim.linework.feature_lines import EdgeLines, feature_lines
 from glshim.linework.hand import begun_anywhere, lifts
 from glshim.linework.walk import measure
 from glshim.model.camera import Camera
-from glshim.model.lines import ENDLESS, RECORD, group_of
+from glshim.model.lines import ENDLESS, RECORD, Line, group_of
 from glshim.styling.wishes import Features, Pattern
 from tests import look
 from tests.unit.test_walk import FLAT, circle, polyline
@@ -222,10 +222,10 @@ def test_records_of_meshes_say_it(name):
         objects, camera, replace(wanted, pattern=replace(wanted.pattern, corner=None))
     )
     assert found.shape == plain.shape and found.shape[1] == RECORD == 21
-    assert not plain[:, 18:20].any()
-    assert (found[:, :16] == plain[:, :16]).all()
-    assert (found[:, 18:20] >= 0.0).all()
-    assert (found[:, 20] >= 0.0).all() and (found[:, 20] < 1.0).all()
+    assert not plain[:, Line.REST].any()
+    assert (found[:, : Line.BEGIN] == plain[:, : Line.BEGIN]).all()
+    assert (found[:, Line.REST] >= 0.0).all()
+    assert (found[:, Line.NUMBER] >= 0.0).all() and (found[:, Line.NUMBER] < 1.0).all()
     if name == "cube":  # every edge is a stroke of its own: none runs on round a corner
         assert not found[group_of(found) > 0, 18:20].round(2).any()
     if name in ("torus", "sphere"):

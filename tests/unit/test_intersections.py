@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from glshim.linework import intersections
-from glshim.model.lines import ENDLESS, INTERSECTION, RECORD
+from glshim.model.lines import ENDLESS, INTERSECTION, RECORD, Line
 from glshim.outputs.gl.frame.depth_fill import triangles as fans
 from tests import look
 
@@ -236,11 +236,12 @@ def test_records():
     )
     made = intersections.records(corners, beside, pairs)
     assert made.shape[1] == RECORD and made.dtype == np.float32
-    assert (made[:, 3:6] == made[:, 6:9]).all()
-    assert np.allclose(np.abs(made[:, 9:12]), (0, 0, 1), atol=1e-6)
-    assert np.allclose(np.abs(made[:, 12:15]), (0, 1, 0), atol=1e-6)
-    assert (made[:, 15] == INTERSECTION).all() and not made[:, (16, 17, 20)].any()
-    assert (made[:, 18:20] == ENDLESS).all()
+    assert (made[:, Line.B] == made[:, Line.ONWARD]).all()
+    assert np.allclose(np.abs(made[:, Line.NORMAL]), (0, 0, 1), atol=1e-6)
+    assert np.allclose(np.abs(made[:, Line.OTHER_NORMAL]), (0, 1, 0), atol=1e-6)
+    assert (made[:, Line.KIND] == INTERSECTION).all()
+    assert not made[:, Line.REPEATS].any() and not made[:, Line.NUMBER].any()
+    assert (made[:, Line.REST] == ENDLESS).all()
 
 
 def test_nothing_comes_of_nothing():

@@ -10,7 +10,7 @@ from glshim.geometry.edges.gather import Placement
 from glshim.linework.polygon_lines import lines
 from glshim.linework.walk import measure
 from glshim.model.camera import Camera
-from glshim.model.lines import OUTLINES
+from glshim.model.lines import OUTLINES, Line
 from glshim.styling.wishes import Choice, Pattern
 from tests import look
 
@@ -184,8 +184,9 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
         camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, SIZE, SIZE))
         choice = Choice(silhouettes=True, pattern=pattern(12.0))
         found = lines([(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera, choice)
-        found = found[np.isin(found[:, 15], OUTLINES)]
-        jumps = joints(found[:, 0:3], found[:, 3:6], found[:, 16], found[:, 17])
+        found = found[np.isin(found[:, Line.KIND], OUTLINES)]
+        columns = (Line.A, Line.B, Line.BEGIN, Line.FINISH)
+        jumps = joints(*(found[:, column] for column in columns))
         assert len(jumps) >= len(found)
         assert (jumps > 0.01).mean() < 0.02
 
@@ -197,4 +198,4 @@ def test_without_a_pattern_nothing_is_measured():
         [(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera,
         Choice(silhouettes=True, ridge_angle=2.0),
     )
-    assert not found[:, 16:20].any()
+    assert not found[:, Line.REPEATS].any() and not found[:, Line.REST].any()
