@@ -38,44 +38,40 @@ class Group:
 
 
 def grouped(given: Iterable[Lines]) -> list[Group]:
-    """Lines as groups."""
-    found: dict[Hashable, tuple[list[Item], Lines]] = {}
-    seen: dict[int, tuple[Camera, Hashable]] = {}
-    last: Lines | None = None
-    look: Hashable = None
+    """Lines as groups, in the order of their first batches."""
+    found: list[tuple[list[Item], Lines]] = []
+    looks: dict[Hashable, dict[int, list[Item]]] = {}
+    lenses: dict[Hashable, int] = {}
+    seen: dict[int, tuple[Camera, int] | None] = {}
     for lines in given:
-        if last is None or not _look_alike(lines, last):
-            medium = lines.medium
-            uniforms = tuple(medium.uniforms.items())
-            look = (lines.wanted, medium.shader, uniforms, medium.image, medium.pattern)
-        last = lines
+        own = looks.setdefault(_look(lines), {})
         for batch, camera in in_order(lines.bodies):
             if batch.polygon_count == 0:
                 continue
-            known = seen.get(id(camera))
-            if known is None:
+            if id(camera) not in seen:
                 affine = camera.affine()
-                if not all(map(isfinite, affine.modelview.ravel().tolist())):
-                    continue
-                known = seen[id(camera)] = (affine, affine.lens)
+                sound = all(map(isfinite, affine.modelview.ravel().tolist()))
+                number = lenses.setdefault(affine.lens, len(lenses))
+                seen[id(camera)] = (affine, number) if sound else None
+            known = seen[id(camera)]
+            if known is None:
+                continue
             affine, lens = known
-            found.setdefault((lens, look), ([], lines))[0].append((batch, affine))
-    return [Group(tuple(items), _wanted(lines), lines.medium) for items, lines in found.values()]
+            if lens not in own:
+                own[lens] = []
+                found.append((own[lens], lines))
+            own[lens].append((batch, affine))
+    return [Group(tuple(items), _wanted(lines), lines.medium) for items, lines in found]
+
+
+def _look(lines: Lines) -> Hashable:
+    """What lines have in common that one draw can serve, but for the lens."""
+    medium = lines.medium
+    uniforms = tuple(medium.uniforms.items())
+    return lines.wanted, medium.shader, uniforms, medium.image, medium.pattern
 
 
 def _wanted(lines: Lines) -> Choice | Features:
     """Which lines, with the pattern of what they are drawn with."""
     pattern = lines.medium.pattern
     return lines.wanted if pattern is None else replace(lines.wanted, pattern=pattern)
-
-
-def _look_alike(lines: Lines, other: Lines) -> bool:
-    """Whether their looks are the same objects, as they are of one styler."""
-    one, two = lines.medium, other.medium
-    return (
-        lines.wanted is other.wanted
-        and one.shader is two.shader
-        and one.uniforms is two.uniforms
-        and one.image is two.image
-        and one.pattern is two.pattern
-    )

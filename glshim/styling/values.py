@@ -63,14 +63,13 @@ class Layer:
     def bodies(self) -> tuple[Body, ...]:
         """The batches by camera, in the order of their first."""
         found: dict[object, tuple[list[PolygonBatch], Camera, list[int]]] = {}
-        known: dict[int, object] = {}
+        known: dict[int, tuple[list[PolygonBatch], Camera, list[int]]] = {}
         for place, (batch, camera) in enumerate(self.items):
-            key = known.get(id(camera))
-            if key is None:
-                key = known[id(camera)] = camera.key
-            batches, _, order = found.setdefault(key, ([], camera, []))
-            batches.append(batch)
-            order.append(place)
+            own = known.get(id(camera))
+            if own is None:
+                own = known[id(camera)] = found.setdefault(camera.key, ([], camera, []))
+            own[0].append(batch)
+            own[2].append(place)
         return tuple(
             Body(tuple(batches), camera, tuple(order)) for batches, camera, order in found.values()
         )

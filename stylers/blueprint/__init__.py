@@ -23,7 +23,7 @@ class Blueprint(ByHand):
 
     width: float = option(1.6, help="width of outlines", low=0.5, high=32.0, unit="px")
     inner_width: float = option(1.0, help="width of other lines", low=0.5, high=32.0, unit="px")
-    opacity: float = option(0.55, help="of one stroke", low=0.02, high=1.0)
+    opacity: float = option(0.55, help="opacity of one stroke", low=0.02, high=1.0)
     strokes: int = option(2, help="how often each line is drawn", low=1, high=16)
     overshoot: float = option(
         0.2, help="how far lines go on beyond their corners, of their length", low=0.0, high=1.0

@@ -37,7 +37,7 @@ class Brush(ByHand):
     )
     width: float = option(7.0, help="width of an outline's stroke", low=0.5, high=64.0, unit="px")
     inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
-    opacity: float = option(0.92, help="of one stroke", low=0.02, high=1.0)
+    opacity: float = option(0.92, help="opacity of one stroke", low=0.02, high=1.0)
     layers: int = option(1, help="how often each line is painted", low=1, high=4)
     jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")

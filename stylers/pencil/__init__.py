@@ -29,7 +29,7 @@ class Pencil(ByHand):
 
     width: float = option(2.6, help="width of an outline's stroke", low=0.5, high=32.0, unit="px")
     inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
-    opacity: float = option(0.75, help="of one stroke", low=0.02, high=1.0)
+    opacity: float = option(0.75, help="opacity of one stroke", low=0.02, high=1.0)
     strokes: int = option(2, help="how often each line is drawn", low=1, high=8)
     jitter: float = option(1.1, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")

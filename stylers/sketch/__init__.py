@@ -22,11 +22,11 @@ class Sketch(ByHand):
     name: ClassVar[str] = "sketch"
 
     width: float = option(2.0, help="width of a stroke", low=0.5, high=32.0, unit="px")
-    opacity: float = option(0.25, help="of one stroke", low=0.02, high=1.0)
+    opacity: float = option(0.25, help="opacity of one stroke", low=0.02, high=1.0)
     strokes: int = option(6, help="how often each line is drawn", low=1, high=16)
     jitter: float = option(1.6, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
     overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    hatching: float = option(0.8, help="of dark places", low=0.0, high=1.0)
+    hatching: float = option(0.8, help="how darkly dark places are hatched", low=0.0, high=1.0)
     boil: float = options.boil()
     seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
