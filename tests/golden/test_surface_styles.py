@@ -313,7 +313,7 @@ def test_crossings_are_looked_for_where_polygons_are_few():
 
     def looks(mesh, intersections):
         draws = HiddenLine(intersections=intersections).draws(Layer(((mesh, camera),)))
-        return any(getattr(getattr(one, "choice", None), "intersections", False) for one in draws)
+        return any(getattr(getattr(one, "wanted", None), "intersections", False) for one in draws)
 
     few, many = look.cube(), look.sphere(200, 120)
     assert [looks(few, word) for word in ("auto", "on", "off")] == [True, True, False]
