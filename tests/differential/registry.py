@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
-from .world import App, Scene
+from .world import App, Outcome, Scene, run
 
 SCENES: dict[str, Scene] = {}
 
@@ -19,6 +20,12 @@ def add(name: str, function: Scene) -> Scene:
     assert name not in SCENES, name
     SCENES[name] = function
     return function
+
+
+@cache
+def plain(name: str) -> Outcome:
+    """What a scene shows without glshim."""
+    return run(SCENES[name])
 
 
 def each(values: dict[str, object]) -> Callable[[Callable[..., None]], Callable[..., None]]:

@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
 from OpenGL import GL
 
 from glshim import pipeline
 from glshim.outputs.gl.frame import overlay
+from tests.sweep import some
 
-from .registry import SCENES
+from .registry import SCENES, plain
 from .test_contexts import cube
-from .world import HEIGHT, WIDTH, App, Outcome, observe, prepare, run, styled, window
+from .world import HEIGHT, WIDTH, App, Outcome, observe, prepare, styled, window
 
 PANEL = overlay.panel(["sketch  width=3", "16.7 ms, 60 fps"], WIDTH)
-
-
-@cache
-def plain(name: str) -> Outcome:
-    return run(SCENES[name])
 
 
 def followed(name: str) -> Outcome:
@@ -48,7 +42,7 @@ def test_a_style_that_may_come_changes_not_a_byte(name: str) -> None:
     assert plain(name).differences(followed(name)) == {}
 
 
-@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("name", some(tuple(SCENES), len(SCENES) // 3))
 def test_the_panel_changes_nothing_but_the_picture(name: str) -> None:
     assert plain(name).differences(with_panel(name), pictures=False) == {}
 

@@ -7,6 +7,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from OpenGL.GLU import gluNewQuadric, gluSphere
 import glshim
 from glshim import pipeline
 from glshim.styling.protocol import Layer, Lines, Styler
+from tests.sweep import some
 
 
 @pytest.fixture
@@ -263,10 +265,13 @@ def last_picture(*styles: str) -> bytes:
         return picture.read_bytes()
 
 
-@pytest.mark.parametrize("target", [RASKAR, MARKS, SURFACE, "fins", "off"])
-@pytest.mark.parametrize("before", [(RASKAR,), (MARKS,), ("off",), (SURFACE, "off", "none")])
+CHANGES = tuple(product([(RASKAR,), (MARKS,), ("off",), (SURFACE, "off", "none")],
+                        [RASKAR, MARKS, SURFACE, "fins", "off"]))  # fmt: skip
+
+
+@pytest.mark.parametrize(("before", "target"), some(CHANGES, 7))
 def test_a_style_that_comes_later_draws_as_if_it_had_been_on_from_the_start(
-    target: str, before: tuple[str, ...]
+    before: tuple[str, ...], target: str
 ) -> None:
     """Lists compiled, buffers written and shapes drawn under another style, or under none."""
     from_the_start = last_picture(*[target] * 4)

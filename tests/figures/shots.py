@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 from PIL import Image
@@ -16,8 +17,10 @@ DEMOS = ROOT / "demo_apps"
 GAP = 8
 
 
+@cache
 def shot(style: str, *program: str, frames: int = 3) -> Image.Image:
-    """The last of so many frames of a program in a style; it is run as ``glshim run`` runs it."""
+    """The last of so many frames of a program in a style; it is run as ``glshim run`` runs it.
+    Each is taken once."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "frame.png"
         command = [sys.executable, "-m", "glshim", "run", "--style", style, "--frames", str(frames),

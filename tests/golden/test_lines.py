@@ -3,6 +3,8 @@ widths as asked."""
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle
+from tests.sweep import some
 
 SIZE = 400
 
@@ -32,16 +35,20 @@ def camera_for(k, direction, front_ccw=True):
     return Camera(look.look_at(5 * direction), projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw)
 
 
-@pytest.mark.parametrize("width", [1.0, 3.0, 8.0, 20.0])
-@pytest.mark.parametrize("name", ["torus", "sphere", "bowl", "cube", "cylinder", "teapot"])
+SUBJECTS = list(product(["torus", "sphere", "bowl", "cube", "cylinder", "teapot"],
+                       [1.0, 3.0, 8.0, 20.0]))  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "width"), SUBJECTS)
 def test_no_stray_ink_and_none_missing(backend, teapot, name, width):
-    """24 views: every changed pixel lies within width + 1.5 px of a visible silhouette or
-    ridge, and beside every clearly visible one there is ink."""
+    """8 of 24 views, others for each subject: every changed pixel lies within width + 1.5 px of a
+    visible silhouette or ridge, and beside every clearly visible one there is ink."""
     mesh = teapot if name == "teapot" else look.MESHES[name]()
     style = Raskar(silhouette_width=width, ridge_width=width, intersections=False)
     polygons = look.polygons_of(mesh)
-    for k, direction in enumerate(look.directions(24)):
-        camera = camera_for(k, direction, front_ccw=name != "teapot")  # GLUT's winds clockwise
+    directions = look.directions(24)
+    for k in some(range(24), 8, SUBJECTS.index((name, width))):
+        camera = camera_for(k, directions[k], front_ccw=name != "teapot")  # GLUT's winds clockwise
         before, after, depth = look.styled(backend, style, (mesh, camera))
         ink = look.ink(before, after)
         changed = ink > 0.02
