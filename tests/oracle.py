@@ -33,9 +33,17 @@ def _window(points, camera):
     ]
 
 
-def _newell(corners):
-    spokes = corners - corners.mean(axis=0)
-    return np.cross(spokes, np.roll(spokes, -1, axis=0)).sum(axis=0)
+def _newell(points, rings):
+    """Middle and normal (R, 3) of rings of indices, the normal as long as twice the area."""
+    middles, normals = np.zeros((2, len(rings), 3))
+    sizes = np.array([len(ring) for ring in rings])
+    for size in set(sizes[sizes > 2]):
+        same = np.flatnonzero(sizes == size)
+        corners = points[np.array([rings[k] for k in same])]
+        middles[same] = corners.mean(axis=1)
+        spokes = corners - middles[same, None]
+        normals[same] = np.cross(spokes, np.roll(spokes, -1, axis=1)).sum(axis=1)
+    return middles, normals
 
 
 def truth(polygons, points, camera, ridge_angle=120.0, weld=1e-5) -> Truth:
@@ -47,17 +55,20 @@ def truth(polygons, points, camera, ridge_angle=120.0, weld=1e-5) -> Truth:
     points = np.asarray(points, np.float64)
     eye = points @ camera.modelview[:3, :3].T + camera.modelview[:3, 3]
     window = _window(points, camera)
-    names = [tuple(np.round(p / weld).astype(int)) for p in points]
+    names = np.unique(np.round(points / weld), axis=0, return_inverse=True)[1].ravel().tolist()
+    rings = [[i for k, i in enumerate(polygon) if names[i] != names[polygon[k - 1]]]
+             for polygon in polygons]  # fmt: skip
+    middles, normals = _newell(eye, rings)
+    lengths = np.linalg.norm(normals, axis=1)
+    fronts = (_newell(window * (1, 1, 0), rings)[1][:, 2] > 0) == camera.front_ccw
     meeting = defaultdict(list)
-    for polygon in polygons:
-        ring = [i for k, i in enumerate(polygon) if names[i] != names[polygon[k - 1]]]
-        normal = _newell(eye[ring]) if len(ring) > 2 else np.zeros(3)
-        if np.linalg.norm(normal) < 1e-9:
+    for ring, middle, normal, length, front in zip(
+        rings, middles, normals, lengths, fronts, strict=True
+    ):
+        if length < 1e-9:
             continue
-        normal /= np.linalg.norm(normal)
-        front = (_newell(window[ring] * (1, 1, 0))[2] > 0) == camera.front_ccw
         for i, j in zip(ring, ring[1:] + ring[:1], strict=True):
-            meeting[frozenset((names[i], names[j]))].append((i, j, normal, front, eye[ring]))
+            meeting[frozenset((names[i], names[j]))].append((i, j, normal / length, front, middle))
     silhouettes, outlines, ridges = [], [], []
     for sides in meeting.values():
         if len(sides) != 2:
@@ -67,7 +78,7 @@ def truth(polygons, points, camera, ridge_angle=120.0, weld=1e-5) -> Truth:
         one, other = sorted(sides, key=lambda side: not side[3])  # a front-facing one first
         i, j, normal, front, _ = one
         seen = _seen(normal, eye[i], camera) if front else normal
-        hollow = (other[4].mean(axis=0) - eye[i]) @ seen > 0
+        hollow = (other[4] - eye[i]) @ seen > 0
         if other[3] != front:
             silhouettes.append(window[[i, j]])
             if not hollow:

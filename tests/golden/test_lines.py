@@ -3,7 +3,7 @@ widths as asked."""
 
 from __future__ import annotations
 
-from itertools import product
+from functools import cache
 
 import numpy as np
 import pytest
@@ -14,7 +14,6 @@ from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle
-from tests.sweep import some
 
 SIZE = 400
 
@@ -35,32 +34,40 @@ def camera_for(k, direction, front_ccw=True):
     return Camera(look.look_at(5 * direction), projection, (0, 0, SIZE, SIZE), front_ccw=front_ccw)
 
 
-SUBJECTS = list(product(["torus", "sphere", "bowl", "cube", "cylinder", "teapot"],
-                       [1.0, 3.0, 8.0, 20.0]))  # fmt: skip
+@pytest.fixture(scope="module")
+def known(teapot):
+    """A mesh by its name, a view of it, its edges and points along them, found once for all widths.
+    """
+
+    @cache
+    def of(name, view):
+        mesh = teapot if name == "teapot" else look.MESHES[name]()
+        winding = name != "teapot"  # GLUT's winds clockwise
+        camera = camera_for(view, look.directions(24)[view], front_ccw=winding)
+        true = oracle.truth(look.polygons_of(mesh), mesh.positions, camera)
+        every = np.concatenate([true.silhouettes, true.ridges])
+        return mesh, camera, *(oracle.samples(s)[0] for s in (every, true.outlines, true.ridges))
+
+    return of
 
 
-@pytest.mark.parametrize(("name", "width"), SUBJECTS)
-def test_no_stray_ink_and_none_missing(backend, teapot, name, width):
-    """8 of 24 views, others for each subject: every changed pixel lies within width + 1.5 px of a
-    visible silhouette or ridge, and beside every clearly visible one there is ink."""
-    mesh = teapot if name == "teapot" else look.MESHES[name]()
+@pytest.mark.parametrize("width", [1.0, 3.0, 8.0, 20.0])
+@pytest.mark.parametrize("name", ["torus", "sphere", "bowl", "cube", "cylinder", "teapot"])
+def test_no_stray_ink_and_none_missing(backend, known, name, width):
+    """24 views: every changed pixel lies within width + 1.5 px of a visible silhouette or
+    ridge, and beside every clearly visible one there is ink."""
     style = Raskar(silhouette_width=width, ridge_width=width, intersections=False)
-    polygons = look.polygons_of(mesh)
-    directions = look.directions(24)
-    for k in some(range(24), 8, SUBJECTS.index((name, width))):
-        camera = camera_for(k, directions[k], front_ccw=name != "teapot")  # GLUT's winds clockwise
+    for k in range(24):
+        mesh, camera, points, outlines, ridges = known(name, k)
         before, after, depth = look.styled(backend, style, (mesh, camera))
         ink = look.ink(before, after)
         changed = ink > 0.02
         assert changed.any()
-        true = oracle.truth(polygons, mesh.positions, camera)
-        points, _ = oracle.samples(np.concatenate([true.silhouettes, true.ridges]))
         seen = oracle.visible(points, depth, slack=2e-5, reach=2)
         stray = changed & ~oracle.near(points[seen], changed.shape, width + 1.5)
         assert not stray.any(), f"view {k}: stray pixels {np.argwhere(stray)[:8].tolist()}"
         expected = []
-        for segments, gap in ((true.outlines, 5e-6), (true.ridges, -1.0)):
-            points, _ = oracle.samples(segments)
+        for points, gap in ((outlines, 5e-6), (ridges, -1.0)):
             clear = oracle.visible(points, depth, slack=-1e-6, reach=0) & _between(points)
             clear &= oracle.visible(points, depth, slack=-gap, reach=1)  # room for ink beside
             expected.append(points[clear])
