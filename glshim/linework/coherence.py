@@ -21,7 +21,7 @@ from glshim.model.arrays import Complexes, Doubles, Rows
 from glshim.model.camera import Camera
 from glshim.model.vectors import dot, unit
 
-Objects = tuple[tuple[Hashable, Doubles], ...]
+NamedObjects = tuple[tuple[Hashable, Doubles], ...]
 """Name and modelview (4, 4) of each object."""
 
 _REACH = 12.0
@@ -36,7 +36,7 @@ _STIFFNESS = 12.0**2
 """Square of the pixels over which a pattern gives way to what was there."""
 _ROUNDS = 60
 _MOST_ALIKE = 200
-"""Objects of one name that are told apart by where they are; of more, by their order."""
+"""NamedObjects of one name that are told apart by where they are; of more, by their order."""
 _MOST_PASTS = 4
 """Pasts of a view."""
 _DEPTH = 0.3
@@ -83,7 +83,7 @@ class Drawn:
     """(L,) of the lines."""
     owner: Rows
     """(L,) object of each, by number."""
-    objects: Objects
+    objects: NamedObjects
 
 
 def keep(drawn: Drawn, camera: Camera) -> Past:
@@ -262,7 +262,7 @@ def _samples(walk: Walk) -> tuple[Rows, Doubles]:
 
 
 def _now(
-    past: Past, objects: Objects, camera: Camera
+    past: Past, objects: NamedObjects, camera: Camera
 ) -> tuple[Doubles, Complexes]:
     """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
     window; NaN where that is not known."""
@@ -280,7 +280,7 @@ def _now(
     return points, np.asarray(found[:, 0] + 1j * found[:, 1])
 
 
-def paired(before: Objects, now: Objects) -> dict[int, int]:
+def paired(before: NamedObjects, now: NamedObjects) -> dict[int, int]:
     """For objects of a frame, by number, which of the next frame they are: of those of one name
     the nearest. Those whose names are new go on from those whose names are gone, in their order:
     a surface that is made anew in each frame has no lasting connectivity."""
@@ -298,7 +298,7 @@ def paired(before: Objects, now: Objects) -> dict[int, int]:
 
 
 def _nearest_poses(
-    old: list[int], new: list[int], before: Objects, now: Objects
+    old: list[int], new: list[int], before: NamedObjects, now: NamedObjects
 ) -> Iterable[tuple[int, int]]:
     """Pairs of objects of one name, the most alike poses first."""
     if len(old) == len(new) == 1 or max(len(old), len(new)) > _MOST_ALIKE:

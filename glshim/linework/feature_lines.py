@@ -100,7 +100,7 @@ class EdgeLines:
         """Which edges are features as a camera sees them, of an object under a modelview."""
         return self._seen(modelview, camera).decided(wanted)
 
-    def found(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
+    def records(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
         """(L, 21) records of the features as a camera sees them, of an object under a modelview.
         Outlines do not know yet where they go on."""
         seen = self._seen(modelview, camera)
@@ -206,24 +206,24 @@ class _Seen:
         """Records of edges; of an outline with the normal of its back-facing triangle."""
         lines, modelview = self._lines, self._camera.modelview
         topology = lines.topology
-        found = np.zeros((len(rows), RECORD), np.float32)
+        records = np.zeros((len(rows), RECORD), np.float32)
         ends = lines.positions[topology.edges[rows]] @ modelview[:3, :3].T + modelview[:3, 3]
         turned = ~self.ccw_a[rows]
         ends[turned] = ends[turned, ::-1]
         with np.errstate(over="ignore"):
-            found[:, Line.ENDS] = ends.reshape(-1, 6)
-            found[:, Line.ONWARD] = ends[:, 1]
+            records[:, Line.ENDS] = ends.reshape(-1, 6)
+            records[:, Line.ONWARD] = ends[:, 1]
         a, b = topology.a[rows], topology.b[rows]
         own = np.where(self._ccw[a] == self._camera.front_ccw, b, a) if outline else a
         turn = cofactors(modelview)
         normals = unit(lines.normals[own] @ turn.T)
         normals[~self._ccw[own]] *= -1.0
-        found[:, Line.NORMAL] = normals
+        records[:, Line.NORMAL] = normals
         if not outline:
-            found[:, Line.OTHER_NORMAL] = unit(lines.normals[b] @ turn.T)
-        found[:, Line.KIND] = kind
-        found[:, Line.NUMBER] = own_numbers(rows)
-        return found
+            records[:, Line.OTHER_NORMAL] = unit(lines.normals[b] @ turn.T)
+        records[:, Line.KIND] = kind
+        records[:, Line.NUMBER] = own_numbers(rows)
+        return records
 
 
 def feature_lines(
@@ -236,15 +236,15 @@ def feature_lines(
     space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
     patterns follow; past is what the frame before gave."""
     own = replace(wanted, boundary=False)
-    found = [_sound(lines.found(modelview, camera, own)) for lines, modelview in objects]
-    found.append(_sound(_across(objects, camera, wanted)))
-    whole = np.concatenate(found) if found else no_lines()
+    parts = [_sound(lines.records(modelview, camera, own)) for lines, modelview in objects]
+    parts.append(_sound(_across(objects, camera, wanted)))
+    whole = np.concatenate(parts) if parts else no_lines()
     run_on(whole)
     if wanted.pattern is None:
         return whole, None
     group = group_of(whole)
     walk = measure(whole[:, Line.A], whole[:, Line.B], group, camera, wanted.pattern)
-    owner = np.repeat(np.arange(len(found)), [len(part) for part in found])
+    owner = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
     named = names_of(objects)
     a, b = (whole[:, end].astype(np.float64) for end in (Line.A, Line.B))
     placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
@@ -278,12 +278,12 @@ def _across(
         valley_angle=wanted.valley_angle,
     )
     folds = single_side_lines(seams.singles, seen, replace(choice, silhouettes=False))
-    found = seen.records(shared_edge_lines(seams, seen, choice) + folds)
+    records = seen.records(shared_edge_lines(seams, seen, choice) + folds)
     if not wanted.boundary:
-        return found
+        return records
     alone = seen.records([(FIN, seams.singles, None)])
     alone[:, Line.KIND] = in_group(FIN, BOUNDARY)
-    return np.concatenate((found, alone))
+    return np.concatenate((records, alone))
 
 
 def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:

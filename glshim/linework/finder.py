@@ -12,7 +12,7 @@ from glshim.linework.coherence import Past, kept_with, latest
 from glshim.linework.feature_lines import feature_lines, names_of
 from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.arrays import Floats, Indices
 from glshim.model.batch import PolygonBatch, join
 from glshim.model.caches import AgingCache
@@ -41,16 +41,16 @@ class LineFinder:
         self._past.tick()
 
     def records(self, group: Group) -> Floats:
-        """(L, 21) `glshim.linework.polygon_lines` of a group, or the features of the meshes that
-        its batches make together. The same lines drawn in several coats of a layer are found once.
-        """
+        """(L, 21) `glshim.model.lines.Line` records of a group: what its polygons show, or the
+        features of the meshes that its batches make together; all but intersections. The same
+        lines drawn in several coats of a layer are found once."""
         name = group.name
-        found = self._known.get(name)
-        if found is None:
-            found = self._known[name] = self._found(group)
-        return found
+        records = self._known.get(name)
+        if records is None:
+            records = self._known[name] = self._records(group)
+        return records
 
-    def _found(self, group: Group) -> Floats:
+    def _records(self, group: Group) -> Floats:
         wanted = group.wanted
         if isinstance(wanted, Features):
             return self._features(group, wanted)
@@ -60,11 +60,11 @@ class LineFinder:
             large, small = [*large, *small], []
         parts = []
         for batch, camera in large:
-            found = self._edges(batch)
-            parts.append((found, Placement.one(camera.modelview, len(found.planes))))
+            own = self._edges(batch)
+            parts.append((own, Placement.one(camera.modelview, len(own.planes))))
         if small:
             parts.append(self._gathered(small))
-        return lines(parts, group.camera, wanted)
+        return polygon_lines(parts, group.camera, wanted)
 
     def _features(self, group: Group, wanted: Features) -> Floats:
         items = [(batch, camera.modelview) for batch, camera in group.items]
@@ -75,22 +75,22 @@ class LineFinder:
         view, names = (wanted, camera.viewport), names_of(placed)
         pasts = self._past.get(view) or ()
         before = latest(pasts, names)
-        found, past = feature_lines(placed, camera, wanted, before)
+        records, past = feature_lines(placed, camera, wanted, before)
         if past is not None:
             pasts = kept_with(past, pasts, before)
             self._past.put(view, pasts, sum(one.nbytes for one in pasts))
-        return found
+        return records
 
     def _edges(self, batch: PolygonBatch) -> Edges:
         """The edges of a batch, found again by key."""
         key = batch.key
         if key is None:
             return edges(batch)
-        found = self._cache.get(key)
-        if found is None:
+        known = self._cache.get(key)
+        if known is None:
             made = edges(batch)
-            found = self._cache.put(key, made, made.nbytes)
-        return found
+            known = self._cache.put(key, made, made.nbytes)
+        return known
 
     def _gathered(self, items: list[Item]) -> tuple[Edges, Placement]:
         """The edges of many small batches, each where it stands."""
@@ -107,10 +107,10 @@ class LineFinder:
             parts.append(self._crowd[1])
             owners.append(self._crowd[2])
         if passing:
-            found, owner = edges_of_each(
+            fresh, owner = edges_of_each(
                 [join([batch for batch, _ in alike]) for alike in passing.values()]
             )
-            parts.append(found)
+            parts.append(fresh)
             owners.append(owner + np.int32(len(kept)))
         cameras = [camera for _, camera in kept] + [alike[0][1] for alike in passing.values()]
         modelviews = np.stack([camera.modelview for camera in cameras])

@@ -193,7 +193,7 @@ def segments(triangles: Triangles, beside: Rows, pairs: Rows) -> tuple[Doubles, 
 
 
 def records(triangles: Triangles, beside: Rows, pairs: Rows) -> Floats:
-    """(L, 21) float32 records (`glshim.linework.polygon_lines`), eye space, of what `segments`
+    """(L, 21) float32 records (`glshim.model.lines.Line`), eye space, of what `segments`
     finds."""
     ends, rows = segments(triangles, beside, pairs)
     # In an order that the place alone decides: what came first makes no difference.

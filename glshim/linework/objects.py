@@ -41,13 +41,13 @@ class Objects:
         tolerance, object units."""
         if tolerance not in self._meshes:
             self._meshes[tolerance] = Meshes(tolerance, self._most_bytes)
-        found = self._found(batches, self._meshes[tolerance], tolerance)
-        if not self._reported and (found.turned.any() or found.twisted.any()):
+        mesh = self._recovered(batches, self._meshes[tolerance], tolerance)
+        if not self._reported and (mesh.turned.any() or mesh.twisted.any()):
             self._reported = True
-            say_once(f"a mesh winds its polygons both ways, they are taken as one: {found.report}")
-        return found
+            say_once(f"a mesh winds its polygons both ways, they are taken as one: {mesh.report}")
+        return mesh
 
-    def _found(
+    def _recovered(
         self, batches: Sequence[PolygonBatch], meshes: Meshes, tolerance: float
     ) -> Mesh:
         if len(batches) == 1:
@@ -55,37 +55,37 @@ class Objects:
         keys: tuple[Hashable, ...] = tuple(batch.key for batch in batches)
         if None in keys:
             return meshes.find(join(batches))
-        found = self._whole.get((keys, tolerance))
-        if found is None:
-            found = meshes.find(join(batches))
-            self._whole.put((keys, tolerance), found, found.nbytes)
-        return found
+        mesh = self._whole.get((keys, tolerance))
+        if mesh is None:
+            mesh = meshes.find(join(batches))
+            self._whole.put((keys, tolerance), mesh, mesh.nbytes)
+        return mesh
 
     def lines(self, batches: Sequence[PolygonBatch], tolerance: float) -> EdgeLines:
         """What is known of the mesh's edges whatever the viewer."""
         mesh = self.mesh(batches, tolerance)
-        found = self._lines.get(mesh)
-        if found is None:
+        lines = self._lines.get(mesh)
+        if lines is None:
             # A mesh that moved keeps its array of triangles (`Mesh.moved`), which a topology holds.
             known = self._topologies.get(id(mesh.triangles))
-            found = self._lines[mesh] = EdgeLines(mesh, topology=known)
-            self._topologies[id(mesh.triangles)] = found.topology
-        return found
+            lines = self._lines[mesh] = EdgeLines(mesh, topology=known)
+            self._topologies[id(mesh.triangles)] = lines.topology
+        return lines
 
     def creases(self, mesh: Mesh, criterion: Criterion) -> Creases:
         """The creases of a mesh, by a criterion."""
-        found = self._creases.get((id(mesh), criterion))  # of a mesh that it holds
-        if found is None:
+        known = self._creases.get((id(mesh), criterion))  # of a mesh that it holds
+        if known is None:
             before = self._parted.get((id(mesh.triangles), criterion))
             # A mesh that moved keeps its array of triangles.
-            found = (
+            known = (
                 before.moved(mesh, mesh.corner_normals)
                 if before
                 else creases(mesh, mesh.corner_normals, **criterion._asdict())
             )
-            self._creases.put((id(mesh), criterion), found, found.nbytes)
-            self._parted[id(mesh.triangles), criterion] = found
-        return found
+            self._creases.put((id(mesh), criterion), known, known.nbytes)
+            self._parted[id(mesh.triangles), criterion] = known
+        return known
 
     def placed(
         self,

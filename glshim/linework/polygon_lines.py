@@ -41,11 +41,13 @@ _CROWD = 12
 ASKEW = np.array((0.571, 0.733, 0.369))
 """A direction that no app has in mind."""
 
-_Found = list[tuple[int, Rows, Rows | None]]
+_Chosen = list[tuple[int, Rows, Rows | None]]
 """Lines of a kind: their sides, and the other polygon's sides on the same edges."""
 
 
-def lines(parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choice) -> Floats:
+def polygon_lines(
+    parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choice
+) -> Floats:
     """(L, 21) float32 records of the lines, eye space; see `RECORD`. All but intersections.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
@@ -64,18 +66,18 @@ def lines(parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choi
             everything = np.arange(len(edges), dtype=np.intp)
             records.append(seen.records(single_side_lines(everything, seen, choice)))
             continue
-        found = shared_edge_lines(edges, seen, choice)
+        chosen = shared_edge_lines(edges, seen, choice)
         if several:
             lone.append(seen.moved(edges.singles))
         else:
-            found += single_side_lines(edges.singles, seen, choice)
-        records.append(seen.records(found))
+            chosen += single_side_lines(edges.singles, seen, choice)
+        records.append(seen.records(chosen))
     if lone and sum(map(len, lone)):
         seams = seams_of(lone)
         seen = Seen(seams, Placement.one(np.eye(4), len(seams.planes)), camera)
-        found = shared_edge_lines(seams, seen, choice)
-        found += single_side_lines(seams.singles, seen, choice)
-        records.append(seen.records(found))
+        chosen = shared_edge_lines(seams, seen, choice)
+        chosen += single_side_lines(seams.singles, seen, choice)
+        records.append(seen.records(chosen))
     whole = np.concatenate(records) if records else no_lines()
     run_on(whole)
     if choice.pattern is not None:
@@ -86,9 +88,9 @@ def lines(parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choi
 def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
     """Write into records (L, 21) how far along a pattern each line lies, whatever their kinds."""
     group = group_of(records)
-    found = measure(records[:, Line.A], records[:, Line.B], group, camera, pattern)
-    turns = np.floor(found.begin)
-    records[:, Line.BEGIN], records[:, Line.FINISH] = found.begin - turns, found.finish - turns
+    walk = measure(records[:, Line.A], records[:, Line.B], group, camera, pattern)
+    turns = np.floor(walk.begin)
+    records[:, Line.BEGIN], records[:, Line.FINISH] = walk.begin - turns, walk.finish - turns
 
 
 def run_on(records: Floats) -> None:
@@ -140,16 +142,16 @@ class Seen:
             nothing, nothing, np.empty(0, np.bool_),
         )  # fmt: skip
 
-    def records(self, found: _Found) -> Floats:
+    def records(self, chosen: _Chosen) -> Floats:
         """Records of lines, see `RECORD`."""
-        count = sum(len(sides) for _, sides, _ in found)
+        count = sum(len(sides) for _, sides, _ in chosen)
         records = np.empty((count, RECORD), np.float32)
         if not count:
             return records
-        sides = np.concatenate([sides for _, sides, _ in found])
+        sides = np.concatenate([sides for _, sides, _ in chosen])
         normals, beyond = self._normals(sides), np.zeros((count, 3))
         at = 0
-        for kind, some, others in found:
+        for kind, some, others in chosen:
             part = slice(at, at + len(some))
             records[part, Line.KIND] = kind
             if others is not None:
@@ -200,22 +202,22 @@ class Seen:
         return self._places.polygon[self.edges.polygon[sides]]
 
 
-def single_side_lines(sides: Rows, seen: Seen, choice: Choice) -> _Found:
+def single_side_lines(sides: Rows, seen: Seen, choice: Choice) -> _Chosen:
     """Lines of sides that know no neighbour."""
-    found: _Found = []
+    chosen: _Chosen = []
     ahead = sides[seen.front[sides]]
     if choice.silhouettes:
-        found.append((FIN, sides, None))
+        chosen.append((FIN, sides, None))
     if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
-        found.append((LONE_RIDGE, ahead, None))
+        chosen.append((LONE_RIDGE, ahead, None))
     if choice.valley_angle is not None:
-        found.append((LONE_VALLEY, ahead, None))
-    return found
+        chosen.append((LONE_VALLEY, ahead, None))
+    return chosen
 
 
-def shared_edge_lines(edges: Edges, seen: Seen, choice: Choice) -> _Found:
+def shared_edge_lines(edges: Edges, seen: Seen, choice: Choice) -> _Chosen:
     """Lines of edges with two and more sides."""
-    found: _Found = []
+    chosen: _Chosen = []
     first, second = edges.pairs
     across = seen.left[first] != seen.left[second]
     if choice.silhouettes:
@@ -225,16 +227,16 @@ def shared_edge_lines(edges: Edges, seen: Seen, choice: Choice) -> _Found:
         folds = edges.folds[~across]
         sharp, hollow = folds <= SHARP, folds > np.pi
         for kind, which in ((RING, sharp), (CONTOUR, ~sharp & ~hollow), (HOLLOW, hollow)):
-            found.append((kind, from_behind[which], None))
+            chosen.append((kind, from_behind[which], None))
     if choice.ridge_angle is not None or choice.valley_angle is not None:
         one, other = first[across], second[across]
         folds = seen.folds(one, other, edges.folds[across])
         if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
             sharp = is_ridge(folds, choice.ridge_angle)
-            found.append((RIDGE, one[sharp], other[sharp]))
+            chosen.append((RIDGE, one[sharp], other[sharp]))
         if choice.valley_angle is not None:
             deep = is_valley(folds, choice.valley_angle)
-            found.append((VALLEY, one[deep], other[deep]))
+            chosen.append((VALLEY, one[deep], other[deep]))
 
     sides, edge = edges.crowds
     if len(sides):
@@ -243,16 +245,16 @@ def shared_edge_lines(edges: Edges, seen: Seen, choice: Choice) -> _Found:
         contour = ((lefts == 0) | (lefts == total))[edge]
         if choice.silhouettes:
             none_behind = (np.bincount(edge, ~seen.front[sides]) == 0)[edge]
-            found.append((CONTOUR, sides[contour & (~seen.front[sides] | none_behind)], None))
+            chosen.append((CONTOUR, sides[contour & (~seen.front[sides] | none_behind)], None))
         inner = ~contour & seen.front[sides]
         least, most = _crowded_folds(edges, seen, sides, edge)
         if choice.ridge_angle is not None and choice.ridge_angle > 0.0:
             sharp = is_ridge(least[edge], choice.ridge_angle)
-            found.append((LONE_RIDGE, sides[inner & sharp], None))
+            chosen.append((LONE_RIDGE, sides[inner & sharp], None))
         if choice.valley_angle is not None:
             deep = is_valley(most[edge], choice.valley_angle)
-            found.append((LONE_VALLEY, sides[inner & deep], None))
-    return found
+            chosen.append((LONE_VALLEY, sides[inner & deep], None))
+    return chosen
 
 
 def _crowded_folds(

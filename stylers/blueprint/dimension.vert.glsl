@@ -6,7 +6,7 @@ uniform float frequency;  // of edges that have a dimension, 0..1
 uniform float least;      // pixels of an edge that has one
 
 const float AT_END = 0.02;
-const int MARK = 16;      // GROUP of glshim/linework/polygon_lines.py
+const int MARK = 16;      // GROUP of glshim/model/lines.py
 
 void main() {
     gl_Position = NOWHERE;

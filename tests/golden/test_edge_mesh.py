@@ -229,7 +229,7 @@ def test_smooth_contours_go_on_at_creases_and_close(make):
         view = camera(look.look_at(5 * direction))
         records, _ = smooth_lines(make(), view)
         lines = EdgeLines(mesh(make()))
-        flat = lines.found(view.modelview, view, Features(contours=True))
+        flat = lines.records(view.modelview, view, Features(contours=True))
         assert len(records) >= 0.5 * len(flat)
         ends = records.astype(np.float64)
         # Lines come nearer to the viewer by what they need: across the sight they meet.

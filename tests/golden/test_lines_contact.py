@@ -11,7 +11,7 @@ from OpenGL import GL
 
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.camera import Camera
 from glshim.model.lines import RIDGE, Line
 from glshim.outputs.gl.backend import Backend
@@ -125,7 +125,7 @@ def test_hexagons_at_the_default_threshold_are_ridges_whole(backend):
         assert (np.degrees(found.folds) < 120.06).sum() + (np.degrees(found.folds) > 239.9).sum()
         seen = Camera(look.look_at((900, 700, 800)), look.orthographic(), PORT)
         parts = [(found, Placement.one(seen.modelview, len(found.planes)))]
-        ridges = lines(parts, seen, choice)[:, Line.KIND] == RIDGE
+        ridges = polygon_lines(parts, seen, choice)[:, Line.KIND] == RIDGE
         assert ridges.sum() == 2 + 3
     camera = Camera(look.look_at((3.3, 2, 2.5)), look.perspective(), PORT)
     bolt = look.cylinder(6)

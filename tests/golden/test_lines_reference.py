@@ -13,7 +13,7 @@ import pytest
 from glshim.geometry import raskar
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.camera import Camera
 from glshim.model.lines import (
     FIN,
@@ -71,8 +71,8 @@ def records_of(mesh, camera, angle):
     found = edges(mesh)
     parts = [(found, Placement.one(camera.modelview, len(found.planes)))]
     choice = Choice(silhouettes=True, ridge_angle=angle, valley_angle=2 * np.pi - angle)
-    known = lines(parts, camera, choice)
-    alone = lines(parts, camera, dataclasses.replace(choice, connectivity=False))
+    known = polygon_lines(parts, camera, choice)
+    alone = polygon_lines(parts, camera, dataclasses.replace(choice, connectivity=False))
     crossing = known[np.isin(known[:, Line.KIND], (RIDGE, VALLEY))].copy()
     crossing[:, Line.KIND] = INTERSECTION
     found = np.concatenate([known, alone, crossing])

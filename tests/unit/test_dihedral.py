@@ -15,7 +15,7 @@ from glshim.geometry.meshshaders.edge_mesh import edge_mesh, features
 from glshim.geometry.meshshaders.sieve import EdgeSieve
 from glshim.geometry.recovery.mesh import mesh
 from glshim.linework.feature_lines import EdgeLines, feature_lines
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.camera import Camera
 from glshim.model.dihedral import GRAIN, crease_limits, is_ridge, is_valley
 from glshim.model.lines import RIDGE, VALLEY, kind_of
@@ -94,12 +94,12 @@ def by_polygons(kind, threshold, angle):
     for part, place in as_two(angle):
         found = edges(part)
         parts.append((found, Placement.one(camera.modelview @ place, len(found.planes))))
-    yield lines(parts, camera, choice)
+    yield polygon_lines(parts, camera, choice)
 
 
 def one_part(batch, modelview, camera, choice):
     found = edges(batch)
-    return lines([(found, Placement.one(modelview, len(found.planes)))], camera, choice)
+    return polygon_lines([(found, Placement.one(modelview, len(found.planes)))], camera, choice)
 
 
 def by_meshes(kind, threshold, angle):

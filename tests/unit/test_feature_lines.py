@@ -382,7 +382,7 @@ def test_what_a_display_list_of_100000_polygons_takes_grows_by_their_number_alon
 
     def taken(rings, sides):
         lines = EdgeLines(mesh(look.torus(rings, sides)))
-        return work(lambda: lines.found(camera.modelview, camera, wanted))
+        return work(lambda: lines.records(camera.modelview, camera, wanted))
 
     few, many = taken(100, 62), taken(400, 250)
     assert many.calls <= 1.2 * few.calls < 1000, (few, many)

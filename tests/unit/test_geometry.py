@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from glshim.geometry.edges.edges import dihedral, edges, edges_of_each
 from glshim.geometry.edges.gather import Placement, merged
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.batch import PolygonBatch, join
 from glshim.model.camera import Camera, cofactors
 from glshim.model.lines import (
@@ -46,7 +46,7 @@ def moved(batch, modelview):
 def choose(found, seen, choice, places=None):
     """Lines of one part, under the camera's own modelview or in places."""
     places = places or Placement.one(seen.modelview, len(found.planes))
-    return lines([(found, places)], seen, choice)
+    return polygon_lines([(found, places)], seen, choice)
 
 
 def kinds(records):
@@ -388,7 +388,7 @@ def test_cutting_a_mesh_into_objects_changes_no_line(name):
         if some:
             part = edges(moved(look.batch(mesh.positions, some), np.linalg.inv(space)))
             parts.append((part, Placement.one(seen.modelview @ space, len(part.planes))))
-    cut = lines(parts, seen, choice)
+    cut = polygon_lines(parts, seen, choice)
     assert len(cut) == len(whole)
     one, other = places(whole), places(cut)
     difference = [abs(np.subtract(a[0] + a[1], b[0] + b[1])).max()

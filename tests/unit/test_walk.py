@@ -7,7 +7,7 @@ import pytest
 
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.polygon_lines import lines
+from glshim.linework.polygon_lines import polygon_lines
 from glshim.linework.walk import measure
 from glshim.model.camera import Camera
 from glshim.model.lines import OUTLINES, Line
@@ -183,7 +183,8 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
     for direction in look.directions(6):
         camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, SIZE, SIZE))
         choice = Choice(silhouettes=True, pattern=pattern(12.0))
-        found = lines([(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera, choice)
+        parts = [(mesh, Placement.one(camera.modelview, len(mesh.planes)))]
+        found = polygon_lines(parts, camera, choice)
         found = found[np.isin(found[:, Line.KIND], OUTLINES)]
         columns = (Line.A, Line.B, Line.BEGIN, Line.FINISH)
         jumps = joints(*(found[:, column] for column in columns))
@@ -194,7 +195,7 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
 def test_without_a_pattern_nothing_is_measured():
     mesh = edges(look.torus())
     camera = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, SIZE, SIZE))
-    found = lines(
+    found = polygon_lines(
         [(mesh, Placement.one(camera.modelview, len(mesh.planes)))], camera,
         Choice(silhouettes=True, ridge_angle=2.0),
     )

@@ -114,9 +114,9 @@ class Creases:
         verifier is 2, the rest 0) where no crease is.
         """
         incoming, outgoing = self.strips
-        found = np.zeros((len(self.vertices), 4), np.float32)
-        found[:, 3] = INVALID
-        found[(incoming >= 0) | (outgoing >= 0), 3] = 0.0
+        out = np.zeros((len(self.vertices), 4), np.float32)
+        out[:, 3] = INVALID
+        out[(incoming >= 0) | (outgoing >= 0), 3] = 0.0
         both = np.flatnonzero((incoming >= 0) & (outgoing >= 0))
         corners = self.mesh.triangles.ravel()
         after = following(len(self.triangles))
@@ -125,9 +125,9 @@ class Creases:
         before, here, ahead = (points.take(v, axis=0).astype(np.float64) for v in path)
         with np.errstate(invalid="ignore", over="ignore"):
             e_in, e_out = unit(here - before), unit(ahead - here)
-            found[both, :3] = e_out - e_in
-            found[both, 3] = e_in[:, 1] * e_out[:, 2] - e_in[:, 2] * e_out[:, 1]
-        return found
+            out[both, :3] = e_out - e_in
+            out[both, 3] = e_in[:, 1] * e_out[:, 2] - e_in[:, 2] * e_out[:, 1]
+        return out
 
     @cached_property
     def normals(self) -> Floats:
@@ -154,14 +154,14 @@ class Creases:
         axes = [np.bincount(corners, weights=axis, minlength=count) for axis in sent.T]
         total: Doubles = np.stack(axes, axis=1).astype(np.float64)
         length = np.sqrt(dot(total, total))
-        found = around
+        chosen = around
         if own is not None:
             total = np.where((dot(total, around) < 0.0)[:, None], -total, total)
             # Normals that cancel out, but for rounding, say nothing.
-            found = np.where((length > _ALIKE)[:, None], unit(total), around)
+            chosen = np.where((length > _ALIKE)[:, None], unit(total), around)
         said = np.bincount(corners, weights=sent.any(axis=1), minlength=count)
-        found = np.where((length < _POINTED * said)[:, None], 0.0, found)
-        return found.astype(np.float32)
+        chosen = np.where((length < _POINTED * said)[:, None], 0.0, chosen)
+        return chosen.astype(np.float32)
 
     @property
     def nbytes(self) -> int:
@@ -185,9 +185,9 @@ class Creases:
         was = np.asarray(self.sides.ravel()[self.halfedges.one])
         if not np.array_equal(flags, was):
             return _build(mesh, self.criterion, flags, self.halfedges, corner_normals)
-        found = replace(self, mesh=mesh, corner_normals=corner_normals)
-        found.__dict__.update({k: self.__dict__[k] for k in _TOPOLOGY if k in self.__dict__})
-        return found
+        moved = replace(self, mesh=mesh, corner_normals=corner_normals)
+        moved.__dict__.update({k: self.__dict__[k] for k in _TOPOLOGY if k in self.__dict__})
+        return moved
 
 
 def creases(
@@ -260,16 +260,16 @@ def _meant(mesh: Mesh, sent: Floats | None) -> Floats | None:
 
 def _known(normals: Floats) -> Doubles:
     """(C, 3) unit normals, zero where normals (C, 3) are zero or not finite."""
-    found = np.nan_to_num(normals.astype(np.float64), nan=0.0, posinf=0.0, neginf=0.0)
-    found[~np.isfinite(normals).all(axis=1)] = 0.0
-    return unit(found)
+    known = np.nan_to_num(normals.astype(np.float64), nan=0.0, posinf=0.0, neginf=0.0)
+    known[~np.isfinite(normals).all(axis=1)] = 0.0
+    return unit(known)
 
 
 def _parted(mesh: Mesh, one: Indices, other: Indices, corner_normals: Floats) -> Flags:
     """(E,) two triangles meet, and what was sent at their corners differs at an end."""
     sent = np.ascontiguousarray(corner_normals, np.float32).reshape(-1, 3)
     after = following(len(mesh.triangles))
-    found = np.zeros(len(one), np.bool_)
+    parted = np.zeros(len(one), np.bool_)
     met = np.flatnonzero(other >= 0)
     h, g = one.take(met), other.take(met)
     near, far = after.take(g), g
@@ -282,33 +282,33 @@ def _parted(mesh: Mesh, one: Indices, other: Indices, corner_normals: Floats) ->
     at = np.flatnonzero(key.take(ends) != key.take(others))
     m, n = _known(sent[ends[at]]), _known(sent[others[at]])
     apart = (dot(m - n, m - n) > _ALIKE * _ALIKE) & m.any(axis=1) & n.any(axis=1)
-    found[met[at[apart] % max(len(met), 1)]] = True
-    return found
+    parted[met[at[apart] % max(len(met), 1)]] = True
+    return parted
 
 
 def _edges(mesh: Mesh, criterion: Criterion, parted: Flags) -> Flags:
     """(E,) which edges are creases."""
     alone = mesh.faces[:, 1] < 0
-    found = alone | mesh.twisted
+    flags = alone | mesh.twisted
     if criterion.rule != "angle":
-        found |= parted & _turning(mesh, criterion.least, parted)
+        flags |= parted & _turning(mesh, criterion.least, parted)
     if criterion.rule != "normals":
-        found |= _turning(mesh, criterion.angle, None)
-    return np.asarray(found & mesh.true)
+        flags |= _turning(mesh, criterion.angle, None)
+    return np.asarray(flags & mesh.true)
 
 
 def _turning(mesh: Mesh, least: float, some: Flags | None) -> Flags:
     """(E,) two triangles turn by at least so many radians; only some edges (E,) need be asked."""
     if least <= 0.0:
         return np.asarray(mesh.faces[:, 1] >= 0)
-    found = np.zeros(len(mesh.edges), np.bool_)
+    turning = np.zeros(len(mesh.edges), np.bool_)
     at = np.flatnonzero(mesh.faces[:, 1] >= 0 if some is None else some)
     a, b = (mesh.faces[at, k] for k in (0, 1))
     m, n = mesh.normals.take(a, axis=0), mesh.normals.take(b, axis=0)
     # Of a triangle that has lost its area nothing is known.
     cosine = np.where(m.any(axis=1) & n.any(axis=1), dot(m, n), 1.0)
-    found[at] = cosine <= np.cos(min(least, np.pi))
-    return found
+    turning[at] = cosine <= np.cos(min(least, np.pi))
+    return turning
 
 
 def _build(

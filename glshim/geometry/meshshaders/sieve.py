@@ -97,7 +97,7 @@ class EdgeSieve:
     ) -> Indices:
         """The rows of the edge mesh that may have one of the wanted bits of `features`, seen from
         eye (4,) homogeneous, in rising order. angles: as of `features`."""
-        found = self._fixed(wanted, angles)
+        kept = self._fixed(wanted, angles)
         if wanted & CONTOUR:
             facing = self.facing.seen(eye)
             one, other = facing.take(self._a), facing.take(self._b)
@@ -105,20 +105,20 @@ class EdgeSieve:
             contours |= one == _EITHER
             contours[self._twisted] = True
             contours &= ~self._boundary
-            found = found | contours
-        return np.flatnonzero(found).astype(np.int32)
+            kept = kept | contours
+        return np.flatnonzero(kept).astype(np.int32)
 
     def _fixed_now(self, wanted: int, angles: tuple[float, float]) -> Flags:
         """(E,) what may be a feature from everywhere."""
-        found = np.zeros(len(self._a), np.bool_)
+        kept = np.zeros(len(self._a), np.bool_)
         if wanted & BOUNDARY:
-            found |= self._boundary
+            kept |= self._boundary
         if wanted & MARKED:
-            found |= self._marked
+            kept |= self._marked
         for bit, angle in zip((RIDGE, VALLEY), angles, strict=True):
             if wanted & bit:
-                found |= self._creases & (self._product < -np.cos(angle) + _SLACK)
-        return found
+                kept |= self._creases & (self._product < -np.cos(angle) + _SLACK)
+        return kept
 
 
 class TriangleSieve:
@@ -140,15 +140,15 @@ class TriangleSieve:
     def candidates(self, eye: NDArray[np.floating], wanted: int) -> Indices:
         """Triangles that may have one of the wanted lines, ``CREASE`` and ``SMOOTH``, seen from
         eye (4,) homogeneous, in rising order."""
-        found = np.zeros(self._triangles.shape[1], np.bool_)
+        kept = np.zeros(self._triangles.shape[1], np.bool_)
         if wanted & CREASE:
             facing = self._facing.seen(eye).take(self._creased)
-            found[self._creased] = self._open | (facing != self._away)
+            kept[self._creased] = self._open | (facing != self._away)
         if wanted & SMOOTH:
             value = _at(eye, self._planes)
             slack = np.float32(_ROUNDING * reach_of(eye, self._radius))
             before, behind = value > -slack, value < slack
             some = np.logical_or.reduce([before.take(row) for row in self._triangles])
             some &= np.logical_or.reduce([behind.take(row) for row in self._triangles])
-            found |= some
-        return np.flatnonzero(found).astype(np.int32)
+            kept |= some
+        return np.flatnonzero(kept).astype(np.int32)

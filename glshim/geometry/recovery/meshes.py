@@ -35,11 +35,11 @@ class Meshes:
         """The mesh of a batch."""
         if batch.key is None:
             return self._like(batch)
-        found = self._keyed.get(batch.key)
-        if found is None:
-            found = self._like(batch)
-            self._keyed.put(batch.key, found, found.nbytes)
-        return found
+        known = self._keyed.get(batch.key)
+        if known is None:
+            known = self._like(batch)
+            self._keyed.put(batch.key, known, known.nbytes)
+        return known
 
     def tick(self) -> None:
         """A frame has passed: what nobody asked for in a long time goes."""
@@ -51,19 +51,19 @@ class Meshes:
         structure = _structure(batch)
         known = self._alike.get(structure) or ()
         for at, before in enumerate(known):
-            found = before.moved(batch.positions, batch.normals)
-            if found is not None:
+            current = before.moved(batch.positions, batch.normals)
+            if current is not None:
                 known = (*known[:at], *known[at + 1 :])
                 break
         else:
-            found = mesh(batch, self._tolerance)
+            current = mesh(batch, self._tolerance)
             self.recovered += 1
         # The latest first: most streams go on where they were.
-        known = (found, *known[: _MOST_ALIKE - 1])
+        known = (current, *known[: _MOST_ALIKE - 1])
         while len(known) > 1 and sum(one.nbytes for one in known) > self._share:
             known = known[:-1]
         self._alike.put(structure, known, sum(one.nbytes for one in known))
-        return found
+        return current
 
 
 def _structure(batch: PolygonBatch) -> Hashable:

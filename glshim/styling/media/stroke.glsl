@@ -11,7 +11,7 @@ PASSED vec3 extent;   // pixels outwards between which the ink lies; kind and gr
 PASSED vec2 repeats;  // of a pattern at a and at b; the same where there is none
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
-const int GROUPS = 8;       // of lines: glshim/linework/polygon_lines.py
+const int GROUPS = 8;       // of lines: glshim/model/lines.py
 uniform float hidden_share;  // ink of what is hidden, of one
 
 const float MEETING = 0.05;  // pixels' worth of depth by which surfaces that meet may miss

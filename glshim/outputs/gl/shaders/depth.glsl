@@ -21,7 +21,7 @@ uniform vec3 shot;                 // pixels from the picture's corner to ours; 
 uniform float blur;                // pixels by which depths may not be those of pixel centres
 
 const int RING = 0, CONTOUR = 1, HOLLOW = 2, FIN = 3, RIDGE = 4, LONE_RIDGE = 5, VALLEY = 6,
-          LONE_VALLEY = 7, INTERSECTION = 8;  // glshim/linework/polygon_lines.py
+          LONE_VALLEY = 7, INTERSECTION = 8;  // glshim/model/lines.py
 
 // Depth, greater for farther, of what is drawn in the pixel with a centre.
 float finished(vec2 centre) {
