@@ -62,6 +62,8 @@ class Pipeline:
         """The styler, for the scale of the drawable."""
         self.styler: Styler | None = None
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
+        self._covers = False
+        """Whether its surface is another than the app's."""
         self.live = False
         """Whether another style may come: a fault ends the one that it befell, not the following.
         """
@@ -89,6 +91,7 @@ class Pipeline:
             styler = None
         self.styler = styler
         self._enlarge()
+        self._covers = styler is not None and styler.surface != "app"
         for output in self._outputs:
             output.set_styler(styler)
         self._follower.restyle(_wanted(styler) if styler is not None else None)
@@ -111,13 +114,15 @@ class Pipeline:
 
     def cover(self) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
-        for output in self._outputs:
-            output.cover()
+        if self._covers:
+            for output in self._outputs:
+                output.cover()
 
     def uncover(self) -> None:
         """After it."""
-        for output in self._outputs:
-            output.uncover()
+        if self._covers:
+            for output in self._outputs:
+                output.uncover()
 
     def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the outputs add it."""
@@ -189,7 +194,8 @@ class Pipeline:
         if self._listener is not None:
             self._listener.stop()
         BINDING.detach()
-        self.uncover()
+        for output in self._outputs:
+            output.uncover()
 
     def release(self) -> None:
         """Give back what the current context holds for this style alone."""

@@ -24,8 +24,7 @@ class Primitive(NamedTuple):
     """Records (`glshim.spec.attributes`)."""
 
 
-@dataclass(frozen=True, slots=True)
-class ArrayDraw:
+class ArrayDraw(NamedTuple):
     """A draw from arrays or buffers, by its name and arguments."""
 
     name: str

@@ -22,25 +22,28 @@ class ListCompiler:
     def __init__(self, stream: PrimitiveStream, wanted: Wanted) -> None:
         self.book = ListBook(wanted)
         self._stream = stream
-        self._mode = 0
-        self._base = 0
         self._partial = False
         """Some list adds to primitives of others, or ends them."""
-
-    @property
-    def is_open(self) -> bool:
+        self._base = 0
+        # Plain values: they are looked at in every draw.
+        self.is_open = False
         """A list is being compiled."""
-        return self.book.open is not None
-
-    @property
-    def only_compiles(self) -> bool:
+        self.only_compiles = False
         """A list is open that does not draw while it is compiled."""
-        return self.book.open is not None and self._mode == GL_COMPILE
+        self.needs_base = False
+        """A list that is called inside a primitive may matter: some add vertices, or end it."""
 
     def open(self, name: int, mode: int) -> None:
         """glNewList."""
         self.book.begin(name)
-        self._mode = mode
+        self.is_open = self.needs_base = True
+        self.only_compiles = mode == GL_COMPILE
+
+    def close(self) -> int | None:
+        """glEndList: the list takes effect. Its name."""
+        self.is_open = self.only_compiles = False
+        self.needs_base = self._partial
+        return self.book.end()
 
     def add(self, item: Item) -> None:
         """Note what an open list holds; without an open list, nothing."""
@@ -53,10 +56,8 @@ class ListCompiler:
                 self._partial = True
 
     def look_at_base(self) -> None:
-        """Before a primitive: ask for the list base if a list called inside it may matter, by
-        adding vertices or ending it. Inside, nothing may be asked."""
-        if self._partial or self.book.open is not None:
-            self._base = integer(GL_LIST_BASE)
+        """Before a primitive, where it :attr:`needs_base`: inside, nothing may be asked."""
+        self._base = integer(GL_LIST_BASE)
 
     def names(self, role: Role, args: Sequence[Any], *, inside: bool = False) -> tuple[int, ...]:
         """The lists that a call of LIST_CALLS runs."""

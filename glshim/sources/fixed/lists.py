@@ -115,26 +115,23 @@ class ListBook:
         """What batches shall come with; may change between calls of lists."""
         self._programs: dict[int, Program] = {}
         self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
-        self._open: tuple[int, Program] | None = None
-
-    @property
-    def open(self) -> Program | None:
+        self.open: Program | None = None
         """The program being compiled."""
-        return self._open[1] if self._open else None
+        self._name = 0
+        """Of the list that it will be."""
 
     def begin(self, name: int) -> None:
         """glNewList."""
-        self._open = (name, Program())
+        self._name, self.open = name, Program()
 
     def end(self) -> int | None:
         """glEndList: the list takes effect. Its name."""
-        if self._open is None:
+        if self.open is None:
             return None
-        name, program = self._open
-        self._programs[name] = program
-        self._changed({name})
-        self._open = None
-        return name
+        self._programs[self._name] = self.open
+        self._changed({self._name})
+        self.open = None
+        return self._name
 
     def _changed(self, names: set[int]) -> None:
         """What was resolved through one of these lists no longer holds."""

@@ -16,23 +16,26 @@ class OpenPrimitive:
         self._stream = stream
         self.colour = self.normal = b""
         """Records of what it began with and has until it says another, if wanted."""
+        self.is_whole = True
+        """Its record lacks nothing."""
         self._elements: list[tuple[int, int]] = []
         """Positions in the record of glArrayElement calls, and their indices."""
         self._evaluations: list[tuple[int, Callable[[], Any]]] = []
         """Positions in the record of evaluated vertices, and what evaluates them again."""
 
-    def begin(self, colour: bytes, normal: bytes) -> None:
-        """A primitive begins."""
-        self.colour, self.normal = colour, normal
-        if self._evaluations or self._elements:
-            self._evaluations, self._elements = [], []
+    def forget(self) -> None:
+        """Another primitive begins."""
+        self.is_whole = True
+        self._evaluations, self._elements = [], []
 
     def element(self, index: int) -> None:
         """A vertex comes from the arrays: it is fetched at the end."""
+        self.is_whole = False
         self._elements.append((self._stream.position(), index))
 
     def evaluation(self, call: Callable[[], Any]) -> None:
         """A vertex is evaluated."""
+        self.is_whole = False
         self._evaluations.append((self._stream.position(), call))
 
     def with_elements(self, record: bytes, fetch: Callable[[int], bytes]) -> bytes:

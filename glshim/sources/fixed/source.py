@@ -35,7 +35,8 @@ _VERTEX = BY_NAME["glVertex3f"]
 
 class FixedFunction:
     """A `glshim.sources.source.Source`, of one context. What lists hold and which buffers were
-    written it follows whether anything is drawn or not."""
+    written it follows whether anything is drawn or not. Into a list goes all that can be known
+    (`WHOLE`), for the styles under which it is called."""
 
     def __init__(self, stream: PrimitiveStream, wanted: Wanted) -> None:
         self.lists = ListCompiler(stream, wanted)
@@ -54,32 +55,34 @@ class FixedFunction:
         self._shapes.tick()
         self.fetch.tick()
 
-    @property
-    def _recorded(self) -> Wanted:
-        """What is recorded now: in a list all there is, for the styles under which it is called."""
-        return WHOLE if self.lists.is_open else self._wanted
-
     # -- what is followed ------------------------------------------------------------------------
 
     def begin(self, state: DrawState | None) -> None:
         """Before a primitive; state: the one it is drawn in, if its polygons carry lines."""
-        self.lists.look_at_base()
-        self._primitive.begin(
-            colour() if self._recorded.colours else b"", normal_of(state, self._wanted)
-        )
+        primitive, wanted = self._primitive, self._wanted
+        if not primitive.is_whole:
+            primitive.forget()
+        if self.lists.needs_base:
+            self.lists.look_at_base()
+        colours = wanted.colours or self.lists.is_open
+        primitive.colour = colour() if colours else b""
+        primitive.normal = normal_of(state, wanted) if wanted.normals else b""
 
     def end(self, mode: int, record: bytes) -> Drawn:
         """After it: what was drawn. An open list holds it now."""
-        record = self._primitive.with_elements(record, self._element)
-        again = self._primitive.again(mode, record)
-        if again is not None:
-            shape = Shape(None, again)
-            self.lists.add(shape)
-            return shape
-        record = self._primitive.colour + record
-        # A list begins with the normal of whoever calls it, not with today's.
-        self.lists.add(Primitive(mode, record))
-        return Primitive(mode, self._primitive.normal + record)
+        primitive = self._primitive
+        if not primitive.is_whole:
+            record = primitive.with_elements(record, self._element)
+            again = primitive.again(mode, record)
+            if again is not None:
+                shape = Shape(None, again)
+                self.lists.add(shape)
+                return shape
+        record = primitive.colour + record
+        if self.lists.is_open:
+            # A list begins with the normal of whoever calls it, not with today's.
+            self.lists.add(Primitive(mode, record))
+        return Primitive(mode, primitive.normal + record)
 
     def unfinished(self, mode: int, record: bytes) -> None:
         """An open list leaves the primitive open that it began."""
@@ -97,7 +100,7 @@ class FixedFunction:
         elif role is Role.EVALUATION or role is Role.EVALUATOR_MESH:
             self._primitive.evaluation(functools.partial(call, *args))
         elif role is Role.NORMAL:
-            if self._recorded.normals:
+            if self._wanted.normals or self.lists.is_open:
                 self._stream.extend(normals.said(name, args))
         elif role in LIST_CALLS:
             return self.lists.called_inside(self.lists.names(role, args, inside=True))
@@ -113,6 +116,13 @@ class FixedFunction:
     ) -> Drawn | None:
         """What an array draw, a rectangle or an evaluated grid has drawn, None where an open list
         alone holds it now."""
+        if role is Role.ARRAY_DRAW:
+            arrays = ArrayDraw(name, args)
+            if self.lists.is_open:
+                whole = self._fetched(arrays, WHOLE)
+                if whole is not None:
+                    self.lists.add(whole)
+            return arrays
         if role is Role.EVALUATOR_MESH:
             draw = functools.partial(call, *args)
             if not self.lists.is_open:
@@ -120,16 +130,9 @@ class FixedFunction:
             # Its map may be set by the list itself: asked when the list is called.
             self.lists.add(Shape(None, draw))
             return None
-        if role is Role.RECT:
-            record = rectangle(name, args)
-            self.lists.add(Primitive(GL_QUADS, record))
-            return Primitive(GL_QUADS, normal_of(state, self._wanted) + record)
-        arrays = ArrayDraw(name, args)
-        if self.lists.is_open:
-            whole = self._fetched(arrays, WHOLE)
-            if whole is not None:
-                self.lists.add(whole)
-        return arrays
+        record = rectangle(name, args)
+        self.lists.add(Primitive(GL_QUADS, record))
+        return Primitive(GL_QUADS, normal_of(state, self._wanted) + record)
 
     def resume(self, name: int) -> None:
         """A list was called that left a primitive open, which goes on now."""
@@ -156,7 +159,7 @@ class FixedFunction:
 
     def _of_arrays(self, drawn: ArrayDraw, state: DrawState) -> PolygonBatch | None:
         batch = self._fetched(drawn, self._wanted)
-        if batch is not None and batch.normals is None:
+        if self._wanted.normals and batch is not None and batch.normals is None:
             current = normal_of(state, self._wanted)
             if current:
                 batch = normals.throughout(batch, current)
@@ -193,7 +196,8 @@ class FixedFunction:
         """The records of the vertex of a glArrayElement call; empty where they cannot be had."""
         try:
             vertex = _VERTEX.pack.pack(*self.fetch.element(index), _VERTEX.tag)
-            given = self.fetch.element_normal(index) if self._recorded.normals else b""
+            normals_too = self._wanted.normals or self.lists.is_open
+            given = self.fetch.element_normal(index) if normals_too else b""
         except Unfetchable as reason:
             say_once(f"unstyled: glArrayElement, because {reason}")
             return b""

@@ -197,11 +197,7 @@ class Follower:
         if scene is None or scene.refused:
             return
         fixed = scene.fixed
-        if role is Role.LIST_OPEN:
-            fixed.lists.open(int(args[0]), int(args[1]))
-        elif role in IN_LISTS:
-            fixed.lists.add(Change.of(name, args))
-        elif role in LIST_CALLS:
+        if role in LIST_CALLS:
             self._lists_called(scene, fixed.lists.names(role, args))
         elif role in POLYGON_DRAWS:
             state = self._close(scene)
@@ -211,6 +207,10 @@ class Follower:
                     self._add(scene, state, drawn)
         elif role in OTHER_DRAWS:
             self._close(scene)
+        elif role in IN_LISTS:
+            fixed.lists.add(Change.of(name, args))
+        elif role is Role.LIST_OPEN:
+            fixed.lists.open(int(args[0]), int(args[1]))
 
     @contained
     def refused(self) -> None:

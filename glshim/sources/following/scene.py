@@ -120,7 +120,7 @@ class Scenes:
 
     def close_list(self, scene: Scene) -> None:
         """glEndList. Other contexts may share the list that changed."""
-        name = scene.fixed.lists.book.end()
+        name = scene.fixed.lists.close()
         if name is not None:
             for other in self._by_context.values():
                 if other is not scene:
