@@ -14,8 +14,8 @@ from glshim.model.camera import Camera
 from glshim.model.lines import Line
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.plain import OFF
+from glshim.outputs.gl.device.triangles import triangles as fans
 from glshim.outputs.gl.frame.depth import DepthCopy
-from glshim.outputs.gl.frame.depth_fill import triangles as fans
 from glshim.outputs.gl.frame.frame import Frame, depth_margin
 from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.spec.driver import gl

@@ -15,7 +15,7 @@ from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.camera import Camera
 from glshim.model.lines import RIDGE, Line
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.frame.depth_fill import triangles
+from glshim.outputs.gl.device.triangles import triangles
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Choice

@@ -12,7 +12,7 @@ from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
-from glshim.outputs.gl.device.arrays import fans
+from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
@@ -210,7 +210,7 @@ def test_diagonals_have_no_lines():
 def test_fans_of_polygons_that_are_not_quite_polygons():
     bad = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (np.nan, 0, 0), (1, 0, 0)]
     mesh = look.batch(bad, [[0, 1, 1, 2, 3], [0, 1, 4], [0, 5, 1], [0, 1, 2, 2], [3, 3, 3]])
-    points, flags = fans(mesh)
+    points, flags = flagged_triangles(mesh)
     assert points.shape == (3, 3, 3) and np.isfinite(points).all()
     assert flags.tolist() == [[1, 1, 0], [0, 1, 1], [1, 1, 1]]
     empty = PolygonBatch(np.zeros((0, 3), np.float32), np.zeros(0, np.int32),

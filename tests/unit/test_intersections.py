@@ -7,7 +7,7 @@ import pytest
 
 from glshim.linework import intersections
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD, Line
-from glshim.outputs.gl.frame.depth_fill import triangles as fans
+from glshim.outputs.gl.device.triangles import triangles as fans
 from tests import look
 
 

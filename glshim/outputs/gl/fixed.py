@@ -17,9 +17,10 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.outputs.gl.device.arrays import fans, put_the_apps_arrays_away
+from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.guard import Guard, drain, possible
 from glshim.outputs.gl.device.plain import plainly
+from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
@@ -167,7 +168,7 @@ class FixedPen:
     def _fans(self, batch: PolygonBatch) -> _Fans:
         known = None if batch.key is None else self._known.get(batch.key)
         if known is None:
-            points, flags = fans(batch)
+            points, flags = flagged_triangles(batch)
             known = points, flags, outward_sign(points)
             if batch.key is not None:
                 self._known.put(batch.key, known, points.nbytes + flags.nbytes)

@@ -128,7 +128,7 @@ class Calls:
         if mapping is None or len(args) != 1:
             return real(*args)
         width = mapping.length(float(args[0]))
-        told_of_limit(width)
+        say_width_limit(width)
         return real(width)
 
     def _stipple(self, real: Call, args: Any) -> Any:
@@ -320,7 +320,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
         value = reals(name, 1)[0]
         length = before.length_back(value) if before else value
         if after and name == GL_LINE_WIDTH:
-            told_of_limit(after.length(length), asked=length != 1.0)
+            say_width_limit(after.length(length), asked=length != 1.0)
         say(after.length(length) if after else length)
     repeat, pattern = integer(GL_LINE_STIPPLE_REPEAT), integer(GL_LINE_STIPPLE_PATTERN)
     repeat = max(round(repeat / before.scale), 1) if before else repeat
@@ -334,7 +334,7 @@ def convert(before: Mapping | None, after: Mapping | None) -> None:
     gl.glPixelZoom(x, y)
 
 
-def told_of_limit(width: float, *, asked: bool = True) -> None:
+def say_width_limit(width: float, *, asked: bool = True) -> None:
     """Say once when this GL has no lines of a width."""
     most = reals(GL_ALIASED_LINE_WIDTH_RANGE, 2)[1]
     if asked and width > most:

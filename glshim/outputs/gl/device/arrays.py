@@ -2,12 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
-from glshim.model import polygons
-from glshim.model.batch import PolygonBatch
-from glshim.model.vectors import cross
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
@@ -31,9 +25,6 @@ _ARRAYS = (
     GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,
     GL_FOG_COORD_ARRAY, GL_SECONDARY_COLOR_ARRAY,
 )  # fmt: skip
-_SLIVER = 1e-6
-"""Area of a triangle over the square of its longest side below which float32 has no facing for it.
-"""
 
 
 def put_the_apps_arrays_away() -> None:
@@ -56,30 +47,3 @@ def put_the_apps_arrays_away() -> None:
     if number >= (2, 0):
         for location in range(integer(GL_MAX_VERTEX_ATTRIBS)):
             gl.glDisableVertexAttribArray(location)
-
-
-def fans(batch: PolygonBatch) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
-    """The polygons of a batch as triangles: corners (T, 3, 3), object space, and for each the edge
-    flag (T, 3) of the side that leaves it: 1 for a true edge, 0 for a diagonal of a polygon.
-
-    Points that repeat along a polygon (the pole of a sphere of quads) count once. Triangles without
-    area are left out: GL takes them for back faces wherever they lie.
-    """
-    owner = np.repeat(np.arange(batch.polygon_count), np.diff(batch.starts))
-    following = np.arange(1, len(owner) + 1)
-    following[batch.starts[1:] - 1] = batch.starts[:-1]
-    points = batch.positions[batch.corners]
-    kept = (points != points[following]).any(axis=1)
-    points, flags, owner = points[kept], batch.boundary[kept], owner[kept]
-    sizes = np.bincount(owner, minlength=batch.polygon_count)
-    corners, _, outer = polygons.fans(np.concatenate(([0], np.cumsum(sizes))))
-    flags = flags[corners] & outer
-    points = points[corners]
-    with np.errstate(invalid="ignore", over="ignore"):
-        sides = (points[:, [1, 2, 0]] - points).astype(np.float64)
-        area = np.linalg.norm(cross(sides[:, 0], sides[:, 1]), axis=1)
-        whole = area > _SLIVER * (sides * sides).sum(axis=2).max(axis=1, initial=0.0)
-    return (
-        np.ascontiguousarray(points[whole], np.float32),
-        np.ascontiguousarray(flags[whole], np.uint8),
-    )

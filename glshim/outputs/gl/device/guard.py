@@ -7,7 +7,9 @@ from types import TracebackType
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
+    GL_ALL_ATTRIB_BITS,
     GL_ATTRIB_STACK_DEPTH,
+    GL_CLIENT_ALL_ATTRIB_BITS,
     GL_CLIENT_ATTRIB_STACK_DEPTH,
     GL_COLOR_SUM,
     GL_CURRENT_PROGRAM,
@@ -33,7 +35,6 @@ from glshim.spec.constants import (
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
 from glshim.spec.driver import gl
 
-_ALL = 0xFFFFFFFF
 _STACKS = (
     (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),
     (GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH),
@@ -84,8 +85,8 @@ class Guard:
         self._switches = [known for known in asked if gl.glGetError() == GL_NO_ERROR]
         if self._array:
             gl.glBindVertexArray(0)
-        gl.glPushAttrib(_ALL)
-        gl.glPushClientAttrib(_ALL)
+        gl.glPushAttrib(GL_ALL_ATTRIB_BITS)
+        gl.glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS)
         return self
 
     def __exit__(

@@ -5,12 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-import numpy as np
-from numpy.typing import NDArray
-
-from glshim.model.batch import PolygonBatch
-from glshim.model.camera import Camera
 from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.device.triangles import triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor
 from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.spec.constants import (
@@ -24,19 +20,9 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import gl
+from glshim.styling.values import Item
 
 _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
-Item = tuple[PolygonBatch, Camera]
-
-
-def triangles(batch: PolygonBatch) -> NDArray[np.float32]:
-    """(T, 3, 3) the polygons of a batch as fans, object space."""
-    starts, sizes = batch.starts[:-1], np.diff(batch.starts)
-    count = np.maximum(sizes - 2, 0)
-    first = np.repeat(starts, count)
-    step = np.arange(len(first)) - np.repeat(np.cumsum(count) - count, count)
-    fans = batch.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    return np.ascontiguousarray(batch.positions[fans], np.float32)
 
 
 class DepthFill:

@@ -25,9 +25,9 @@ from glshim.outputs.gl.device.buffers import Buffer, Ring
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
+from glshim.outputs.gl.device.triangles import triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, scissor
 from glshim.outputs.gl.frame.depth import UNIT, Box
-from glshim.outputs.gl.frame.depth_fill import triangles
 from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.ask import integer
 from glshim.spec.constants import (

@@ -11,7 +11,7 @@ uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is 
                                     // creases also 2, 4, 8: of sides; 16, 32, 64: open sides;
                                     // 128: it winds about what is in
 uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wind about what is
-                                    // out, -1: about what is in, 0: a sheet has no outside
+                                    // out, -1: about what is in, 0: an open mesh has no outside
 uniform sampler2D mesh_creases;     // crease differences and verifiers (glshim/geometry/crease/creases.py)
 uniform int vertices_each;          // vertices an element is drawn with
 
