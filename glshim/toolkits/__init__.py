@@ -6,7 +6,7 @@ folder, so that a new toolkit is a new file and nothing else.
 
 from __future__ import annotations
 
-import pkgutil
+import os
 from functools import cache
 from importlib import import_module
 
@@ -27,8 +27,9 @@ def of_file(name: str) -> tuple[Toolkit, ...]:
 @cache
 def known() -> tuple[Toolkit, ...]:
     """Every toolkit, in the order of the files' names."""
-    names = sorted(module.name for module in pkgutil.iter_modules(__path__))
-    return tuple(toolkit for name in names for toolkit in of_file(name))
+    files = (os.path.splitext(name) for name in sorted(os.listdir(__path__[0])))
+    names = [name for name, suffix in files if suffix == ".py" and name.isidentifier()]
+    return tuple(toolkit for name in names if name != "__init__" for toolkit in of_file(name))
 
 
 @cache

@@ -45,10 +45,9 @@ class Changes:
 
     def set(self, owner: Any, name: str, value: Any) -> None:
         """Set an attribute, until `undo`; what somebody else set over it stays theirs."""
-        own = vars(owner)
-        before, was_own = own.get(name), name in own
+        before, was_own = vars(owner).get(name), name in vars(owner)
         setattr(owner, name, value)
-        ours = own[name]
+        ours = vars(owner).get(name)
 
         def undo() -> None:
             if vars(owner).get(name) is not ours:

@@ -10,7 +10,7 @@ from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Part, Toolkit
 from glshim.toolkits.frames import Size
-from glshim.toolkits.moment import MOMENT, STEP, Moment, real_sleep
+from glshim.toolkits.moment import MOMENT, STEP, Moment, real_clock, real_sleep
 
 # From GLUT's header, where they are the stable ABI of every implementation.
 GLUT_WINDOW_WIDTH, GLUT_WINDOW_HEIGHT, GLUT_WINDOW_DOUBLEBUFFER = 102, 103, 115
@@ -23,6 +23,8 @@ _MODIFIERS = {"shift": 1, "ctrl": 2, "alt": 4}
 """GLUT_ACTIVE_SHIFT and so on."""
 SETTLE = 12
 """Rounds of GLUT's main loop before the first display: the window comes up."""
+COMES_UP = 2.0
+"""Real seconds that a program is given after that for its first picture."""
 QUIET = 40
 """Rounds without a new picture after which a program stands still."""
 
@@ -216,6 +218,7 @@ class GlutLoop:
         self.round = 0
         self.quiet = 0
         self.shown = 0
+        self.patient_until = 0.0
         self.idle: Callable[[], None] | None = None
         self.timers: list[tuple[float, int, Callable[[int], None], int]] = []
         self.waiting: set[int] = set()
@@ -286,6 +289,10 @@ class GlutLoop:
             return
         if self.round == SETTLE:
             self.redisplay()
+            self.patient_until = real_clock() + COMES_UP
+            return
+        if not self.moment.frames and real_clock() < self.patient_until:
+            real_sleep(0.001)  # a busy machine shows a window late: no time passes until then
             return
         self.quiet = 0 if self.moment.frames != self.shown else self.quiet + 1
         if self.quiet == 0:
