@@ -12,6 +12,10 @@ from pathlib import Path
 
 import pytest
 
+# Before anything imports numpy: OpenBLAS's threads spin while they wait for a processor, and here
+# several processes share those that there are.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 from glshim.running.headless import virtual_screen
 from tests import sweep
 

@@ -11,6 +11,7 @@ import json
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -44,6 +45,7 @@ print(json.dumps({name: GL.glGetString(getattr(GL, name)).decode()
 Picture = NDArray[np.uint8]
 
 
+@cache
 def renderer(display: str) -> dict[str, str]:
     """GL_RENDERER and GL_VERSION of the display."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}

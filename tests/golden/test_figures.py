@@ -9,18 +9,21 @@ import pytest
 
 from tests.figures.pictures import FIGURES, LOOKS
 from tests.figures.shots import sheet
+from tests.sweep import some
+
+DRAWN = ("figure7", *some([name for name in FIGURES if name != "figure7"], 1))
 
 
 @pytest.fixture(scope="module")
 def tiles():
-    return {name: make() for name, (make, _) in FIGURES.items()}
+    return {name: FIGURES[name][0]() for name in DRAWN}
 
 
 def values(tile, size=None) -> np.ndarray:
     return np.asarray(tile.resize(size) if size else tile, float)
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", DRAWN)
 def test_every_picture_of_a_figure_has_content_of_its_own(tiles, name):
     found = [values(tile) for tile in tiles[name]]
     for tile in found:

@@ -45,20 +45,24 @@ def triangles(batch):
 
 
 def hits(origins, ways, corners, least):
-    """(N,) the nearest hit past least of each ray, in lengths of its way, and its triangle."""
+    """(N,) the nearest hit past least of each ray, in lengths of its way, and its triangle.
+
+    Möller and Trumbore 1997, with the triple products turned so that all rays meet all triangles
+    in products of matrices: (o - a) . (d x v) = v . (o x d) - d . (v x a), and so on.
+    """
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     u, v = b - a, c - a
+    normal, va, au = np.cross(u, v), np.cross(v, a), np.cross(a, u)
     nearest, which = np.full(len(origins), np.inf), np.full(len(origins), -1)
     for start in range(0, len(origins), 512):
         part = slice(start, start + 512)
-        o, d = origins[part, None], ways[part, None]
-        p = np.cross(d, v[None])
-        det = (p * u).sum(2)
+        o, d = origins[part], ways[part]
+        moment = np.cross(o, d)
+        det = -d @ normal.T
         with np.errstate(divide="ignore", invalid="ignore"):
-            s = ((o - a) * p).sum(2) / det
-            q = np.cross(o - a, u[None])
-            r = (d * q).sum(2) / det
-            t = (v * q).sum(2) / det
+            s = (moment @ v.T - d @ va.T) / det
+            r = (-moment @ u.T - d @ au.T) / det
+            t = (o @ normal.T - (a * normal).sum(1)) / det
         inside = (s >= 0) & (r >= 0) & (s + r <= 1) & (t > least) & (np.abs(det) > 1e-14)
         t = np.where(inside, t, np.inf)
         nearest[part], which[part] = t.min(1), t.argmin(1)
