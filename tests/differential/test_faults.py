@@ -286,8 +286,8 @@ def scene():
         tries(GL.glCallList, 1)
         tries(GL.glGetFloatv, GL.GL_CURRENT_COLOR)
     pixels = np.zeros((72, 96, 4), np.uint8)
-    observe.bare.glReadPixels(0, 0, 96, 72, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, observe.at(pixels))
-    print(hash(pixels.tobytes()), observe.bare.glGetError(), observe.steady(str(log)))
+    observe.gl.glReadPixels(0, 0, 96, 72, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, observe.at(pixels))
+    print(hash(pixels.tobytes()), observe.gl.glGetError(), observe.steady(str(log)))
 for style in STYLES:
     log.clear()
     print("STYLE")

@@ -158,7 +158,7 @@ class Program:
             try:
                 uniform.set(value)
             except ValueError as error:
-                raise ValueError(f"uniform {name!r} cannot be {value!r}: {error}") from error
+                raise ValueError(f"uniform {name!r} cannot be {value!r}: {error}") from None
 
     def wants(self, name: str) -> bool:
         """Whether it has a uniform."""
