@@ -24,6 +24,7 @@ from glshim.styling.media.ink import SHADER
 from glshim.styling.protocol import Layer, Lines
 from glshim.styling.wishes import Choice
 from tests import look
+from tests.sweep import some
 
 SIZE = 400
 VIEWS = 12
@@ -163,7 +164,7 @@ PAIRS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", PAIRS)
+@pytest.mark.parametrize("name", some(tuple(PAIRS), 4))
 def test_every_visible_crossing_is_found(finder, name):
     first, at, second = PAIRS[name]
     meshes = (first(), at), (second(), np.eye(4))

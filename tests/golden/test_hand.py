@@ -24,6 +24,7 @@ from stylers.shared.hand import Hand, strokes
 from stylers.sketch import Sketch
 from tests import coherence, look
 from tests.golden.test_legacy import widened
+from tests.sweep import some
 
 SIZE = 400
 
@@ -99,7 +100,7 @@ def test_a_still_scene_is_drawn_the_same_to_the_byte_at_any_time(backend, style,
         assert np.array_equal(frame(backend, style, time, item)[1], first), time
 
 
-@pytest.mark.parametrize("make", [Sketch, Brush, Pencil])
+@pytest.mark.parametrize("make", some([Sketch, Brush, Pencil], 1))
 def test_strokes_boil_at_their_own_rate_whatever_the_frame_rate(_window, make):
     """New ones at ticks, and at no other time; at a time the same, however many frames before."""
     style, item = make(boil=8.0), (look.torus(), VIEWS[1])

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tests.golden import pictures
+from tests.sweep import some
 
 ROOT = Path(__file__).parents[2]
 LEGACY = {"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_GLSL_VERSION_OVERRIDE": "120"}
@@ -26,6 +27,7 @@ from glshim.outputs.gl.frame import depth_fill
 from glshim.spec.driver import gl
 from tests.differential.test_contexts import VISIBLE, cube, inked
 from tests.differential.world import run
+from tests.sweep import some
 
 def missing(*args):
     raise AssertionError("2.1 has no such function")
@@ -110,7 +112,7 @@ def test_lines_are_those_of_the_gpu_within_a_pixel(both):
         assert_alike(*(alpha(before, found[key], np.zeros(3)) for found in both), name)
 
 
-@pytest.mark.parametrize("name", DEMOS)
+@pytest.mark.parametrize("name", some(DEMOS, 2))
 def test_demo_programs_look_alike(name, display, monkeypatch):
     program = pictures.programs()[name]
     style = f"{pictures.STYLE},intersections=off"

@@ -14,6 +14,7 @@ from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
 from tests import look, oracle
+from tests.sweep import some
 
 SIZE = 400
 
@@ -54,10 +55,10 @@ def known(teapot):
 @pytest.mark.parametrize("width", [1.0, 3.0, 8.0, 20.0])
 @pytest.mark.parametrize("name", ["torus", "sphere", "bowl", "cube", "cylinder", "teapot"])
 def test_no_stray_ink_and_none_missing(backend, known, name, width):
-    """24 views: every changed pixel lies within width + 1.5 px of a visible silhouette or
+    """12 of 24 views: every changed pixel lies within width + 1.5 px of a visible silhouette or
     ridge, and beside every clearly visible one there is ink."""
     style = Raskar(silhouette_width=width, ridge_width=width, intersections=False)
-    for k in range(24):
+    for k in some(range(24), 12):
         mesh, camera, points, outlines, ridges = known(name, k)
         before, after, depth = look.styled(backend, style, (mesh, camera))
         ink = look.ink(before, after)
@@ -241,7 +242,7 @@ def test_the_outline_has_no_gap(backend, teapot, name, width):
     edge-on (views along the axes)."""
     mesh = teapot if name == "teapot" else look.MESHES[name]()
     ordinary = [tuple(d) for d in look.directions(8)]
-    for k, direction in enumerate(AXES + ordinary):
+    for k, direction in enumerate([*AXES, *some(ordinary, 4)]):
         up = (0, 0, 1) if abs(direction[2]) < 0.9 else (0, 1, 0)
         projection = look.perspective() if k % 3 == 1 else look.orthographic()
         view = look.look_at(5 * np.array(direction), up=up)

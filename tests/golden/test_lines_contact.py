@@ -4,6 +4,7 @@ windows without depth."""
 from __future__ import annotations
 
 import ctypes
+from itertools import product
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Choice
 from stylers.raskar import Raskar
 from tests import look, oracle
+from tests.sweep import some
 
 SIZE = 400
 STYLE = Raskar(silhouette_width=3, ridge_width=2)
@@ -64,9 +66,10 @@ def blobs(mask):
         label = grown
 
 
-@pytest.mark.parametrize("elevation", [14.0, 20.0, 35.0, 60.0])
-@pytest.mark.parametrize("turn", [10.0, 33.0, 71.0])
-@pytest.mark.parametrize("parallel", [False, True])
+PLACES = tuple(product([14.0, 20.0, 35.0, 60.0], [10.0, 33.0, 71.0], [False, True]))
+
+
+@pytest.mark.parametrize(("elevation", "turn", "parallel"), some(PLACES, 13))
 def test_a_box_on_the_floor_is_closed_at_its_foot(backend, elevation, turn, parallel):
     """The contour where it meets the coplanar floor is inked along its whole length, and no dot
     of ink stands alone."""

@@ -14,6 +14,7 @@ from tests.figures import hajagos, rideout
 from tests.figures.programs import head
 from tests.figures.shots import shot
 from tests.figures.table import Figure
+from tests.sweep import some
 
 chess = importlib.import_module("demo_apps.06_chess")
 
@@ -43,7 +44,7 @@ def test_the_head_is_one_closed_smooth_skin():
     assert points[..., 1].min() < -0.9 and points[..., 1].max() < 1.1  # the nose is in front
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", some(tuple(FIGURES), 5))
 def test_a_figure_is_drawn(name, tmp_path):
     figure = FIGURES[name]
     plain = np.asarray(shot("none", *figure.program, frames=figure.frames).crop(

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from demo_apps import bending_arm
 from glshim.linework.intersections import neighbours, segments
+from tests.sweep import some
 
 figure = importlib.import_module("demo_apps.08_figure")
 
@@ -53,7 +54,8 @@ def test_it_is_one_closed_skin_wound_counter_clockwise(name: str) -> None:
 @animated
 def test_it_never_passes_through_itself(name: str) -> None:
     triangles, at, times = MOVING[name]
-    assert [crossing(at(float(time))[0][triangles]) for time in times] == [0] * len(times)
+    poses = some(times.tolist(), 13)
+    assert [crossing(at(time)[0][triangles]) for time in poses] == [0] * len(poses)
     rest = at(0.0)[0][triangles]
     assert crossing(np.concatenate([rest, rest + 0.05])) > 100
 

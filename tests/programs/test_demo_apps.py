@@ -37,7 +37,7 @@ def start(program: Program, style: str | None, display: str, hand: Hand) -> "sub
 
 
 @pytest.mark.parametrize(("program", "style"), [
-    *(pytest.param(program, "raskar", id=f"{program.name}-raskar") for program in OURS),
+    *(pytest.param(program, "raskar", id=f"{program.name}-raskar") for program in some(OURS, 9)),
     *(pytest.param(program, PLAIN, id=f"{program.name}-plain") for program in some(OURS, 4)),
 ])
 def test_escape_ends_it_after_some_use(

@@ -6,18 +6,21 @@ import os
 from collections.abc import Iterator
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given, seed, settings
 from hypothesis import strategies as st
+
+from tests import sweep
 
 from .calls import Step, programs
 from .worker import Worker
 
-FUZZ = int(os.environ.get("PROPERTY_EXAMPLES", "0"))
-"""How many random programs; 0: a short run that is the same every time."""
+FUZZ = int(os.environ.get("PROPERTY_EXAMPLES", "120" if sweep.FULL else "0"))
+"""How many random programs; 0: some, others each day (tests/sweep.py)."""
 AT_LENGTH = settings(
-    max_examples=FUZZ or 60, derandomize=not FUZZ, deadline=None, database=None,
+    max_examples=FUZZ or 30, deadline=None, database=None,
     suppress_health_check=list(HealthCheck),
 )  # fmt: skip
+BY_DAY = (lambda test: test) if FUZZ else seed(sweep.SEED)
 
 
 @pytest.fixture(scope="module")
@@ -27,12 +30,14 @@ def worker() -> Iterator[Worker]:
     made.close()
 
 
+@BY_DAY
 @AT_LENGTH
 @given(program=programs())
 def test_none_is_plain_to_the_byte(worker: Worker, program: list[Step]) -> None:
     assert worker.differences(program, "none", True) == {}
 
 
+@BY_DAY
 @AT_LENGTH
 @given(program=programs(), style=st.sampled_from(("raskar", "raskar:ridges=off")))
 def test_raskar_changes_nothing_but_the_picture(
