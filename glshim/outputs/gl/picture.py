@@ -48,6 +48,8 @@ class Picture(Output):
 
     def release(self) -> None:
         self._cover.release()
+        # Unheard, contexts may go and leave their addresses to others.
+        self._cover = Cover()
 
     def _backend(self, context: Context) -> Backend:
         """The current context's backend."""
