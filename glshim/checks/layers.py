@@ -59,7 +59,7 @@ def torus(rings: int = 24, sides: int = 12) -> PolygonBatch:
     return batch(points, quads)
 
 
-def sheet() -> PolygonBatch:
+def open_surface() -> PolygonBatch:
     """Two triangles with open sides."""
     return batch([(-1, -1, 0), (1, -1, 0), (1, 1, 0.2), (-1, 1, 0.2)], [(0, 1, 2), (0, 2, 3)])
 
@@ -119,7 +119,7 @@ def odd() -> dict[str, Layer]:
         "an empty layer": Layer(()),
         "a batch without polygons": Layer(((nothing(), seen),)),
         "degenerate polygons": Layer(((degenerate(), seen),)),
-        "an open sheet": Layer(((sheet(), seen),)),
+        "an open surface": Layer(((open_surface(), seen),)),
         "a parallel projection": Layer(((cube(), camera(flat=True)),)),
         "a mirrored scene": Layer(((cube(), mirrored),)),
         "a matrix that squashes everything": Layer(((cube(), seen.under(np.zeros((4, 4)))),)),

@@ -91,7 +91,7 @@ def two_views() -> None:
 def degenerate() -> None:
     """Points, needles and corners that are no numbers."""
     draw(layers.degenerate())
-    draw(layers.sheet())
+    draw(layers.open_surface())
 
 
 def textured() -> None:

@@ -114,7 +114,7 @@ def _draws_are_plain(styler: Styler) -> None:
 
 
 def _draws_are_pure(styler: Styler) -> None:
-    layer, other = layers.usual(), layers.odd()["an open sheet"]
+    layer, other = layers.usual(), layers.odd()["an open surface"]
     first = draws_of(styler, layer)
     draws_of(styler, other)
     again, copy = draws_of(styler, layer), draws_of(replace(styler), layer)

@@ -52,7 +52,7 @@ def _shaders_link(styler: Styler) -> str:
     with window():
         backend, fixed = Backend.attach(), FixedPen()
         for text, variant in [("as given", styler), *variants(styler)]:
-            for layer in (layers.usual(), layers.odd()["an open sheet"]):
+            for layer in (layers.usual(), layers.odd()["an open surface"]):
                 drawn = draws_of(variant, layer)
                 shaders = [shader_of(draw) for draw in drawn if not isinstance(draw, BackFaces)]
                 if not drawn or (shaders and all(id(shader) in seen for shader in shaders)):

@@ -14,9 +14,8 @@ from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
 from glshim.linework.polygon_lines import polygon_lines
 from glshim.model.arrays import Floats, Indices
-from glshim.model.batch import PolygonBatch, join
+from glshim.model.batch import Item, PolygonBatch, join
 from glshim.model.caches import AgingCache
-from glshim.styling.values import Item
 from glshim.styling.wishes import Features
 
 _LARGE = 4096

@@ -6,9 +6,10 @@ from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import isfinite
 
+from glshim.model.batch import Item
 from glshim.model.camera import Camera
 from glshim.styling.lines import Lines, Medium, turns
-from glshim.styling.values import Item, Uniform, in_order
+from glshim.styling.values import Uniform, in_order
 from glshim.styling.wishes import Choice, Features
 
 

@@ -1,4 +1,4 @@
-"""PolygonBatch: what assembly gives and stylers get, and what it may be asked to add."""
+"""PolygonBatch: what sources give and stylers get, and what it may be asked to add."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.arrays import Flags, Floats, Indices
+from glshim.model.camera import Camera
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +66,10 @@ class PolygonBatch:
     def polygon_count(self) -> int:
         """Number of polygons."""
         return len(self.starts) - 1
+
+
+Item = tuple[PolygonBatch, Camera]
+"""A batch and the camera that it was drawn with."""
 
 
 def regions_of(parts: Sequence[PolygonBatch]) -> NDArray[np.uint32] | None:

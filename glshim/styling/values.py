@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import Item, PolygonBatch
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 
@@ -15,7 +15,6 @@ Colour = tuple[float, float, float]
 Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
 Place = tuple[float, float, float, float]
 """Homogeneous: a point where w = 1, the direction towards one at infinity where w = 0."""
-Item = tuple[PolygonBatch, Camera]
 
 
 @dataclass(frozen=True, slots=True)

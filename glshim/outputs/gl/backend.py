@@ -13,6 +13,7 @@ from glshim.errors import RenderError
 from glshim.linework.finder import LineFinder
 from glshim.linework.groups import Group, grouped
 from glshim.linework.polygon_lines import lay_pattern
+from glshim.model.batch import Item
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.guard import Guard, possible
@@ -40,7 +41,7 @@ from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, versi
 from glshim.spec.driver import current_context
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
-from glshim.styling.values import Item, in_order
+from glshim.styling.values import in_order
 from glshim.styling.wishes import Choice
 
 _FILLED_BITS = 24

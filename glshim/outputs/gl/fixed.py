@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from glshim.errors import RenderError
 from glshim.geometry.recovery.outward import outward_sign
-from glshim.model.batch import PolygonBatch
+from glshim.model.batch import Item, PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.notices import say_once
@@ -72,7 +72,7 @@ from glshim.spec.constants import (
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
 from glshim.spec.driver import current_context, gl
 from glshim.styling.fixed import BackFaces
-from glshim.styling.values import Colour, Item, in_order
+from glshim.styling.values import Colour, in_order
 
 _MATRICES = ((GL_MODELVIEW, GL_MODELVIEW_MATRIX), (GL_PROJECTION, GL_PROJECTION_MATRIX))
 _TEXTURES = (

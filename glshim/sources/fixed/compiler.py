@@ -9,7 +9,7 @@ from typing import Any
 from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import Wanted
 from glshim.sources.fixed import normals
-from glshim.sources.fixed.lists import Closing, Item, ListBook, LooseVertices, Opening, list_names
+from glshim.sources.fixed.lists import Closing, ListBook, LooseVertices, Opening, Step, list_names
 from glshim.sources.source import Call
 from glshim.spec.ask import integer
 from glshim.spec.constants import GL_COMPILE, GL_LIST_BASE
@@ -45,7 +45,7 @@ class ListCompiler:
         self.needs_base = self._partial
         return self.book.end()
 
-    def add(self, item: Item) -> None:
+    def add(self, item: Step) -> None:
         """Note what an open list holds; without an open list, nothing."""
         program = self.book.open
         if program is not None:

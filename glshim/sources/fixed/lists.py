@@ -85,16 +85,17 @@ class Closing:
     """glEnd of a primitive that the list did not begin."""
 
 
-Item = Primitive | Call | Change | Shape | LooseVertices | Opening | Closing | PolygonBatch
+Step = Primitive | Call | Change | Shape | LooseVertices | Opening | Closing | PolygonBatch
+"""One thing that a list does."""
 ShapePolygons = Callable[[Shape], PolygonBatch | None]
 """Polygons of a shape, found again by key or drawn in feedback mode."""
 
 
 @dataclass(slots=True)
-class Program:
+class ListProgram:
     """What one list holds."""
 
-    items: list[Item] = field(default_factory=list)
+    items: list[Step] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,16 +114,16 @@ class ListBook:
     def __init__(self, wanted: Wanted = POSITIONS) -> None:
         self.wanted = wanted
         """What batches shall come with; may change between calls of lists."""
-        self._programs: dict[int, Program] = {}
+        self._programs: dict[int, ListProgram] = {}
         self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
-        self.open: Program | None = None
+        self.open: ListProgram | None = None
         """The program being compiled."""
         self._name = 0
         """Of the list that it will be."""
 
     def begin(self, name: int) -> None:
         """glNewList."""
-        self._name, self.open = name, Program()
+        self._name, self.open = name, ListProgram()
 
     def end(self) -> int | None:
         """glEndList: the list takes effect. Its name."""
@@ -158,7 +159,7 @@ class ListBook:
         if name not in self._programs:
             self._changed({name})
 
-    def items(self, name: int, depth: int = 0) -> Iterator[Item]:
+    def items(self, name: int, depth: int = 0) -> Iterator[Step]:
         """What the list says, nested lists included."""
         program = self._programs.get(name)
         if program is None:  # perhaps one that we did not see: it may set the normal
@@ -239,7 +240,7 @@ class _Walk:
         self._attributes: list[tuple[dict[str, bool], bytes | None]] = []
         self._pending: list[tuple[int, bytes]] = []
 
-    def run(self, items: Iterable[Item]) -> None:
+    def run(self, items: Iterable[Step]) -> None:
         for item in items:
             if isinstance(item, Primitive):
                 self._pending.append((item.mode, self._normal + item.stream))

@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from itertools import count
 
-from glshim.model.batch import POSITIONS, PolygonBatch, Wanted
+from glshim.model.batch import POSITIONS, Item, PolygonBatch, Wanted
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
@@ -20,7 +20,6 @@ from glshim.sources.state import DrawState
 
 _serial = count()
 
-Item = tuple[PolygonBatch, Camera]
 Rectangle = tuple[int, int, int, int]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from glshim.model.batch import Item
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.triangles import triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor
@@ -20,7 +21,6 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import gl
-from glshim.styling.values import Item
 
 _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
-from glshim.model.batch import PolygonBatch, join
+from glshim.model.batch import Item, PolygonBatch, join
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
@@ -59,7 +59,6 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT,
 )
 from glshim.spec.driver import gl
-from glshim.styling.values import Item
 
 _SMALL = 512
 """Triangles up to which what has one modelview is drawn together with others."""
