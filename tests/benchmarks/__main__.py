@@ -2,7 +2,9 @@
 
 Each cell is a process of its own (`scenes.py`, an ordinary program); the modes take turns, round
 after round, so that what else the machine does meets them alike. Times are medians, ratios are
-medians over the rounds of mode to plain. A second table has what each kind of line costs.
+medians over the rounds of mode to plain, with half of the span between the least and the largest.
+Takes about three minutes; `--thorough` measures longer and adds what each kind of line costs
+(`--features`), in a quarter of an hour.
 """
 
 import argparse
@@ -48,20 +50,22 @@ def target(scene: str, mode: str) -> float | None:
 
 
 def cell(timing: dict[str, list[Timing]], scene: str, mode: str) -> tuple[str, bool]:
-    """`milliseconds (ratio)`, bold where it misses its target, and whether it does."""
+    """`milliseconds (ratio ±spread)`, bold where it misses its target, and whether it does."""
     rounds = timing[mode]
     milliseconds = 1000 * median(t.middle for t in rounds)
     if mode == "plain":
         return f"{milliseconds:.2f}", False
-    multiple = median(t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True))
+    ratios = [t.middle / p.middle for t, p in zip(rounds, timing["plain"], strict=True)]
+    multiple, spread = median(ratios), (max(ratios) - min(ratios)) / 2
     limit = target(scene, mode)
     missed = limit is not None and multiple > limit
-    text = f"{milliseconds:.2f} ({multiple:.2f}x)"
+    text = f"{milliseconds:.2f} ({multiple:.2f}x ±{spread:.2f})"
     return (f"**{text}**" if missed else text), missed
 
 
 def print_times(choice: argparse.Namespace, display: str) -> int:
-    print("Milliseconds a frame; in brackets, the multiple of plain. Bold: over its target.")
+    print("Milliseconds a frame; in brackets, the multiple of plain and its spread in the rounds.")
+    print("Bold: over its target.")
     print()
     print("| scene | plain | none | raskar | raskar, first frame |")
     print("|---|--:|--:|--:|--:|")
@@ -108,8 +112,10 @@ def print_memory(frames: int, display: str) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__)
-    parser.add_argument("--rounds", type=int, default=5, help="how often each mode is run")
-    parser.add_argument("--seconds", type=float, default=0.6, help="frames' time in one run")
+    parser.add_argument("--thorough", action="store_true",
+                        help="5 rounds of 0.6 seconds, and both tables")
+    parser.add_argument("--rounds", type=int, help="how often each mode is run (4)")
+    parser.add_argument("--seconds", type=float, help="frames' time in one run (0.3)")
     parser.add_argument("--only", default="*", metavar="PATTERN", help="scenes to run, a glob")
     parser.add_argument("--memory", type=int, metavar="FRAMES", nargs="?", const=10_000,
                         help="memory over so many frames instead of times")
@@ -118,6 +124,8 @@ def main() -> int:
     parser.add_argument("--styles", metavar="A,B,...", help="only these styles' times")
     parser.add_argument("--check", action="store_true", help="exit status 1 on a missed target")
     choice = parser.parse_args()
+    choice.rounds = choice.rounds or (5 if choice.thorough else 4)
+    choice.seconds = choice.seconds or (0.6 if choice.thorough else 0.3)
     try:
         with virtual_screen() as screen:
             display = screen["DISPLAY"]
@@ -128,9 +136,10 @@ def main() -> int:
                 print_styles(choice, display)
                 return 0
             misses = 0 if choice.features else print_times(choice, display)
-            if not choice.features:
+            if choice.thorough:
                 print()
-            print_features(choice.only, choice.rounds, choice.seconds, display)
+            if choice.features or choice.thorough:
+                print_features(choice.only, choice.rounds, choice.seconds, display)
     except (EnvironmentFault, BenchmarkError) as reason:
         print(f"{Path(sys.executable).name} -m tests.benchmarks: {reason}", file=sys.stderr)
         return 2
