@@ -46,6 +46,12 @@ def version() -> Version | None:
     return _number(version_text())
 
 
+def number_of_any_api() -> Version:
+    """Of OpenGL or OpenGL ES, which says its name first; 1.1 where the driver tells none."""
+    found = re.search(r"(\d+)\.(\d+)", version_text())
+    return (int(found[1]), int(found[2])) if found else (1, 1)
+
+
 @cache
 def _number(told: str) -> Version | None:
     found = re.match(r"(\d+)\.(\d+)", told)

@@ -41,7 +41,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_BYTE,
     GL_VIEWPORT,
 )
-from glshim.spec.context import has_fixed_function, version
+from glshim.spec.context import has_fixed_function, number_of_any_api, version
 from glshim.spec.driver import gl
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ def _plain_reading(framebuffer: int) -> Iterator[bool]:
         function(*new)
         undo.append((function, (*new[:-1], back_to)))
 
-    number = version() or (1, 1)
+    number = number_of_any_api()
     if number >= (3, 0):
         # The draw binding too: GL_DOUBLEBUFFER tells about that one.
         for target, binding in _FRAMEBUFFERS:
@@ -142,7 +142,7 @@ def _plain_reading(framebuffer: int) -> Iterator[bool]:
     change(gl.glReadBuffer, buffer, back_to=integer(GL_READ_BUFFER))
     for name, value in _PACKING:
         change(gl.glPixelStorei, name, value, back_to=integer(name))
-    if has_fixed_function():
+    if version() is None or has_fixed_function():
         for name, plain in _TRANSFER:
             change(gl.glPixelTransferf, name, plain, back_to=real(name))
     try:
