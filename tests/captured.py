@@ -13,6 +13,7 @@ from OpenGL import GL
 
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.programs import Program
 from glshim.outputs.gl.frame.cameras import inputs_of
@@ -34,7 +35,7 @@ class CapturingPen(Pen):
 
     def __init__(self) -> None:
         with Guard():
-            super().__init__()
+            super().__init__(ModernDevice())
         self._names: Mapping[str, int] = {}
         self._found: dict[str, Rows] | None = None
 
@@ -59,7 +60,8 @@ class CapturingPen(Pen):
         return self._found
 
     def _compiled(self, shader: Shader, planes: int) -> Program:
-        return Program(shader.name, stages(shader, planes)[0], captured=tuple(self._names))
+        texts = stages(shader, planes)
+        return self._device.program(shader.name, texts[0], captured=tuple(self._names))
 
     def _issue(self, vertices: int, lines: int) -> None:
         def draw() -> None:
@@ -69,13 +71,15 @@ class CapturingPen(Pen):
 
 
 class _Captured(MeshPrograms):
-    def __init__(self, names: tuple[str, ...]) -> None:
-        super().__init__()
+    def __init__(self, device: ModernDevice, names: tuple[str, ...]) -> None:
+        super().__init__(device)
         self._names = names
 
     def compiled(self, shader: MeshShader, texts: tuple[str, str, str]) -> Program:
         vertex, _, geometry = texts
-        return Program(shader.name, vertex, geometry=geometry, captured=self._names)
+        return self._device.program(
+            shader.name, vertex, geometry=geometry, captured=self._names
+        )
 
 
 class CapturingRunner(Runner):
@@ -83,7 +87,8 @@ class CapturingRunner(Runner):
 
     def __init__(self) -> None:
         with Guard():
-            super().__init__(Objects(1 << 28), 1 << 28)
+            self._device = ModernDevice()
+            super().__init__(self._device, Objects(1 << 28), 1 << 28)
         self._captured: dict[tuple[str, ...], _Captured] = {}
 
     def varyings(self, one: Pass, names: Mapping[str, int]) -> list[dict[str, Rows]]:
@@ -91,7 +96,7 @@ class CapturingRunner(Runner):
         for names and their sizes (floats); with a geometry shader what that makes, (triangles, 3,
         size)."""
         key = tuple(names)
-        self._programs = self._captured.setdefault(key, _Captured(key))
+        self._programs = self._captured.setdefault(key, _Captured(self._device, key))
         found = []
         for body in one.bodies:
             camera = body.camera.affine()

@@ -23,7 +23,7 @@ from glshim.toolkits import Part
 _SCREENS = ("DISPLAY", "WAYLAND_DISPLAY", "PYOPENGL_PLATFORM")
 """Variables of others that say where a window opens."""
 
-_PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "glfw", "Pillow", "trimesh")
+_PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pillow", "trimesh")
 _LIBRARIES = {
     "GL": "libgl1",
     "GLU": "libglu1-mesa",

@@ -36,23 +36,29 @@ class Driver:
         if signature is None:
             raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
         arguments, _, result = signature.partition(">")
-        from OpenGL.platform import PLATFORM
-
         prototype = ctypes.CFUNCTYPE(
             _LETTERS[result] if result else None, *(_LETTERS[letter] for letter in arguments)
         )
-        try:
-            address = ctypes.cast(getattr(PLATFORM.GL, name), ctypes.c_void_p).value
-        except AttributeError:
-            address = PLATFORM.getExtensionProcedure(name.encode())
-        if not address:
+        place = address(name)
+        if not place:
             raise AttributeError(f"this GL driver has no {name}")
-        function = prototype(address)
+        function = prototype(place)
         setattr(self, name, function)
         return function
 
 
 gl = Driver()
+
+
+def address(name: str) -> int:
+    """Where a function of the driver's is, 0 where this platform does not have it."""
+    from OpenGL.platform import PLATFORM
+
+    try:
+        place = ctypes.cast(getattr(PLATFORM.GL, name), ctypes.c_void_p).value
+    except AttributeError:
+        place = PLATFORM.getExtensionProcedure(name.encode())
+    return place or 0
 
 
 def quick(name: str) -> Callable[..., Any]:
@@ -61,9 +67,9 @@ def quick(name: str) -> Callable[..., Any]:
     It does not convert: arguments are integers, ``bytes`` or ctypes pointers. It keeps the GIL, so
     it is for calls that return at once.
     """
-    address = ctypes.cast(getattr(gl, name), ctypes.c_void_p).value
-    assert address is not None
-    return ctypes.PYFUNCTYPE(None)(address)
+    place = ctypes.cast(getattr(gl, name), ctypes.c_void_p).value
+    assert place is not None
+    return ctypes.PYFUNCTYPE(None)(place)
 
 
 _get_current: Callable[[], int | None] | None = None
@@ -82,11 +88,11 @@ def _current_getter() -> Callable[[], int | None]:
 
     getter = PLATFORM.GetCurrentContext
     try:
-        address = ctypes.cast(getter, ctypes.c_void_p).value
+        place = ctypes.cast(getter, ctypes.c_void_p).value
     except ctypes.ArgumentError:  # a Python function on some platforms
-        address = None
-    if address:
-        return ctypes.PYFUNCTYPE(ctypes.c_void_p)(address)
+        place = None
+    if place:
+        return ctypes.PYFUNCTYPE(ctypes.c_void_p)(place)
 
     def current() -> int:
         context = getter()

@@ -12,6 +12,7 @@ from glshim.linework import intersections as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.model.lines import Line
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.plain import OFF
 from glshim.outputs.gl.device.triangles import triangles as fans
@@ -35,7 +36,7 @@ class Finder:
 
     def __init__(self) -> None:
         with Guard():
-            self.crossings = Crossings()
+            self.crossings = Crossings(ModernDevice())
             self.depth = DepthCopy()
 
     def __call__(self, *items, drawn=None, greater=False):

@@ -18,6 +18,8 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.device.devices import ModernDevice
+from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.passes.meshes import Residents
 from glshim.styling.protocol import Layer
 from stylers.fur import Fur
@@ -170,7 +172,8 @@ def test_hairs_keep_to_a_mesh_that_moves(backend):
     moved = still.moved((look.torus().positions * (1.0, 1.0, 1.5)).astype(np.float32))
     assert moved is not None
     assert moved.triangles is still.triangles
-    residents = Residents(Objects(1 << 24), 1 << 24)
+    with Guard():
+        residents = Residents(ModernDevice(), Objects(1 << 24), 1 << 24)
     asked = []
     for one in (still, moved):
         residents.bind_rest(one)

@@ -26,6 +26,7 @@ from glshim.model.lines import (
     Line,
 )
 from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.frame.cameras import turned
 from glshim.outputs.gl.frame.canvas import Canvas
@@ -242,7 +243,7 @@ def test_coverage_is_what_the_gpu_draws(backend, name):
     inside = (centres > VIEW[:2]).all(axis=2)
     kinds = set()
     with Guard():
-        canvas, depth = Canvas(modern=True), DepthCopy()
+        canvas, depth = Canvas(ModernDevice()), DepthCopy()
         depth.open(box, False)  # as empty as the far plane
         for row in np.flatnonzero(strokes.drawn):
             if records[row, 15] in kinds and row % 5:

@@ -12,6 +12,8 @@ from OpenGL import GL
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.device.devices import LegacyDevice, ModernDevice, attach
+from glshim.outputs.gl.device.guard import Guard
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
@@ -135,10 +137,34 @@ def test_no_state_changes_and_all_ink_arrives(backend, app):
 
 def test_attaching_changes_no_state(backend):
     queries = _queries()
+    GL.glDisable(GL.GL_TEXTURE_CUBE_MAP_SEAMLESS)  # moderngl enables it in a new context
     before = _state(queries)
     Backend.attach()
     after = _state(queries)
     assert {n: (before[n], after[n]) for n in before if before[n] != after[n]} == {}
+
+
+def test_a_full_attribute_stack_gets_the_device_that_needs_none(backend):
+    depth = int(GL.glGetIntegerv(GL.GL_MAX_ATTRIB_STACK_DEPTH))
+    for _ in range(depth):
+        GL.glPushAttrib(GL.GL_CURRENT_BIT)
+    device = attach()
+    for _ in range(depth):
+        GL.glPopAttrib()
+    assert not device.modern
+    assert attach().modern
+    assert gl.glGetError() == 0
+
+
+@pytest.mark.parametrize("modern", [True, False])
+def test_a_shader_that_does_not_compile_is_one_error_with_the_drivers_words(backend, modern):
+    with Guard():
+        device = ModernDevice() if modern else LegacyDevice()
+    queries = _queries()
+    before = _state(queries)
+    with pytest.raises(RenderError, match=r"^shader 'mine' does not compile: .*nonsense"):
+        device.program("mine", "#version 120\nvoid main() { gl_Position = nonsense; }")
+    assert _state(queries) == before
 
 
 @pytest.mark.parametrize("error", [0, GL.GL_INVALID_ENUM, GL.GL_INVALID_VALUE, 0x0502])

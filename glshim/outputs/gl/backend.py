@@ -16,6 +16,7 @@ from glshim.linework.polygon_lines import lay_pattern
 from glshim.model.batch import Item
 from glshim.model.camera import Camera
 from glshim.notices import say_once
+from glshim.outputs.gl.device.devices import Device, ModernDevice, attach
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.device.textures import Textures
@@ -37,7 +38,7 @@ from glshim.spec.constants import (
     GL_GEQUAL,
     GL_GREATER,
 )
-from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version, version_text
+from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version_text
 from glshim.spec.driver import current_context
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
@@ -51,12 +52,18 @@ _FILLED_BITS = 24
 class Backend:
     """Draws extra geometry in one GL context. Make it with `attach` while that is current."""
 
-    def __init__(self, pen: Pen | LegacyPen, crossings: Crossings | None, cache_bytes: int) -> None:
-        self.pen = pen
-        self._crossings = crossings
+    def __init__(self, device: Device, cache_bytes: int, ring_bytes: int) -> None:
+        self._device = device
+        self.pen: Pen | LegacyPen
+        self._crossings: Crossings | None = None
+        if isinstance(device, ModernDevice):
+            self.pen = Pen(device, ring_bytes)
+            self._crossings = Crossings(device, cache_bytes // 2)
+        else:
+            self.pen = LegacyPen(device)
         self._finder = LineFinder(cache_bytes)
         self._depth = DepthCopy()
-        self._canvas = Canvas(modern=isinstance(pen, Pen))
+        self._canvas = Canvas(device)
         self._textures = Textures()
         self._depth_fill: DepthFill | None = None
         self._runner: Runner | None = None
@@ -79,14 +86,13 @@ class Backend:
             raise RenderError(lacking)
         if not possible():
             raise RenderError("GL is compiling a list, selecting, or its attribute stack is full")
-        with Guard():
-            try:
-                if (version() or MODERN) < MODERN:
-                    return cls(LegacyPen(), None, cache_bytes)
-                return cls(Pen(ring_bytes), Crossings(cache_bytes // 2), cache_bytes)
-            except Exception as error:
-                text = f"no drawing in this context ({version_text()}): {error}"
-                raise RenderError(text) from error
+        try:
+            device = attach()
+            with Guard():
+                return cls(device, cache_bytes, ring_bytes)
+        except Exception as error:
+            text = f"no drawing in this context ({version_text()}): {error}"
+            raise RenderError(text) from error
 
     def render(self, draws: Iterable[Lines | Pass], drawable: Drawable = WINDOW) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
@@ -125,18 +131,18 @@ class Backend:
         plainly()
         if not bits or not self._depth.take(box, bits):
             if self._depth_fill is None:
-                self._depth_fill = DepthFill()
+                self._depth_fill = DepthFill(self._device)
             self._depth_fill.fill(self._depth, items, box, reversed_depth)
         margin = depth_margin(bits or _FILLED_BITS)
         return Frame(self._depth, margin, reversed_depth, framebuffer, box, drawable)
 
     def _run(self, passes: list[Pass], frame: Frame) -> None:
         """Passes in turn, laid over the frame."""
-        if isinstance(self.pen, LegacyPen):
+        if not isinstance(self._device, ModernDevice):
             say_once("this style's passes need OpenGL {}.{}".format(*MODERN))
             return
         if self._runner is None:
-            self._runner = Runner(self._finder.objects, self._cache_bytes)
+            self._runner = Runner(self._device, self._finder.objects, self._cache_bytes)
         for camera, some in _by_stencil(passes):
             self._runner.run(some, frame, self._textures, last=camera)
 

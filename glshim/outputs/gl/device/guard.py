@@ -30,6 +30,7 @@ from glshim.spec.constants import (
     GL_RENDER_MODE,
     GL_RENDERBUFFER,
     GL_RENDERBUFFER_BINDING,
+    GL_TEXTURE_CUBE_MAP_SEAMLESS,
     GL_VERTEX_ARRAY_BINDING,
 )
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
@@ -42,6 +43,7 @@ _STACKS = (
 _SWITCHES = (
     GL_RASTERIZER_DISCARD,
     GL_PRIMITIVE_RESTART,
+    GL_TEXTURE_CUBE_MAP_SEAMLESS,  # which moderngl turns on in a new context
     GL_COLOR_SUM,  # which Mesa forgets
 )
 """What no attribute stack gives back. Contexts before 3.0 need not know them."""

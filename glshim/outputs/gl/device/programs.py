@@ -1,16 +1,15 @@
-"""Programs and their uniforms: all of them, in GLSL of every version from 1.20 on."""
+"""Uniforms of programs, whatever made them, set by the bare driver; in GLSL from 1.20 on."""
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from importlib.resources import files
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from glshim.errors import RenderError
 from glshim.spec.constants import (
     GL_ACTIVE_UNIFORMS,
     GL_BOOL,
@@ -24,19 +23,14 @@ from glshim.spec.constants import (
     GL_FLOAT_VEC2,
     GL_FLOAT_VEC3,
     GL_FLOAT_VEC4,
-    GL_FRAGMENT_SHADER,
-    GL_GEOMETRY_SHADER,
     GL_INT,
     GL_INT_VEC2,
     GL_INT_VEC3,
     GL_INT_VEC4,
-    GL_INTERLEAVED_ATTRIBS,
-    GL_LINK_STATUS,
     GL_UNSIGNED_INT,
     GL_UNSIGNED_INT_VEC2,
     GL_UNSIGNED_INT_VEC3,
     GL_UNSIGNED_INT_VEC4,
-    GL_VERTEX_SHADER,
     GL_FLOAT_MAT2x3,
     GL_FLOAT_MAT2x4,
     GL_FLOAT_MAT3x2,
@@ -46,8 +40,6 @@ from glshim.spec.constants import (
 )
 from glshim.spec.driver import gl, quick
 
-_INFO_BYTES = 4096
-"""Of what a driver says about a shader, at most."""
 _SETTERS: dict[int, tuple[str, int, type[np.generic]]] = {
     kind: (f"glUniform{size}{letter}v", size, numbers)
     for letter, numbers, kinds in (
@@ -108,38 +100,24 @@ class _Uniform:
         self.said = value
 
 
-class Program:
-    """A program of the current context; uniforms that it does not have are passed over."""
+class Linked(Protocol):
+    """A program as it was made: moderngl's own has these, too."""
 
-    def __init__(
-        self,
-        name: str,
-        vertex: str,
-        fragment: str = "",
-        geometry: str = "",
-        *,
-        attributes: Sequence[str] = (),
-        captured: Sequence[str] = (),
-    ) -> None:
-        """From GLSL texts; an empty one leaves its stage to the fixed function, or out. attributes:
-        vertex attributes by location. captured: outputs that transform feedback takes. Raises
-        `RenderError` with the driver's words when it does not compile."""
-        self.name = int(gl.glCreateProgram())
-        stages = ((GL_VERTEX_SHADER, vertex), (GL_GEOMETRY_SHADER, geometry),
-                  (GL_FRAGMENT_SHADER, fragment))  # fmt: skip
-        for kind, text in stages:
-            if text:
-                self._attach(kind, text)
-        for location, attribute in enumerate(attributes):
-            gl.glBindAttribLocation(self.name, location, attribute.encode("ascii"))
-        if captured:
-            names = (ctypes.c_char_p * len(captured))(*(each.encode("ascii") for each in captured))
-            gl.glTransformFeedbackVaryings(self.name, len(names), names, GL_INTERLEAVED_ATTRIBS)
-        gl.glLinkProgram(self.name)
-        if not self._integer(GL_LINK_STATUS):
-            words = self._words()
-            self.release()
-            raise RenderError(f"shader {name!r} does not compile: {words}")
+    @property
+    def glo(self) -> int:
+        """The driver's name for it."""
+
+    def release(self) -> None:
+        """Delete it. In its context."""
+
+
+class Program:
+    """A program of the current context, made by a `Device`; uniforms that it does not have are
+    passed over."""
+
+    def __init__(self, linked: Linked) -> None:
+        self._linked = linked
+        self.name = linked.glo
         self._uniforms = dict(self._used())
 
     def use(self, *values: Mapping[str, Any]) -> None:
@@ -164,41 +142,21 @@ class Program:
         """Whether it has a uniform."""
         return name in self._uniforms
 
+    def location(self, attribute: str) -> int:
+        """Of a vertex attribute; -1 where nothing reads it."""
+        return int(gl.glGetAttribLocation(self.name, attribute.encode("ascii")))
+
     def release(self) -> None:
         """Delete it. In its context."""
-        gl.glDeleteProgram(self.name)
-
-    def _attach(self, kind: int, text: str) -> None:
-        shader = gl.glCreateShader(kind)
-        source = text.encode("utf-8")
-        pointer, length = ctypes.c_char_p(source), ctypes.c_int(len(source))
-        gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
-        gl.glCompileShader(shader)
-        gl.glAttachShader(self.name, shader)
-        gl.glDeleteShader(shader)
-
-    def _integer(self, what: int) -> int:
-        value = ctypes.c_int()
-        gl.glGetProgramiv(self.name, what, ctypes.byref(value))
-        return value.value
-
-    def _words(self) -> str:
-        """What the driver says about it and its shaders."""
-        text = ctypes.create_string_buffer(_INFO_BYTES)
-        count, shaders = ctypes.c_int(), (ctypes.c_uint * 8)()
-        gl.glGetProgramInfoLog(self.name, len(text), None, text)
-        said = [text.value]
-        gl.glGetAttachedShaders(self.name, len(shaders), ctypes.byref(count), shaders)
-        for shader in shaders[: count.value]:
-            gl.glGetShaderInfoLog(shader, len(text), None, text)
-            said.append(text.value)
-        return b" ".join(said).decode("utf-8", "replace").strip()
+        self._linked.release()
 
     def _used(self) -> Iterator[tuple[str, _Uniform]]:
         """The uniforms by name, without those in blocks."""
         length, kind = ctypes.c_int(), ctypes.c_uint()
         text = ctypes.create_string_buffer(256)
-        for i in range(self._integer(GL_ACTIVE_UNIFORMS)):
+        count = ctypes.c_int()
+        gl.glGetProgramiv(self.name, GL_ACTIVE_UNIFORMS, ctypes.byref(count))
+        for i in range(count.value):
             gl.glGetActiveUniform(
                 self.name, i, len(text), None, ctypes.byref(length), ctypes.byref(kind), text
             )

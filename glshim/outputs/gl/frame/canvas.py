@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.device.devices import Device
+from glshim.outputs.gl.device.programs import shader_text
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.constants import (
@@ -32,13 +33,13 @@ _UNIT = 14
 
 class Canvas:
     """Colour (premultiplied) of at least a window's size. Make and use it inside the state guard.
-    modern: the context has GLSL 1.30. buffers: formats of what else is drawn to."""
+    buffers: formats of what else is drawn to."""
 
-    def __init__(self, modern: bool, buffers: Sequence[int] = ()) -> None:
-        head = f"#version {130 if modern else 120}\n"
+    def __init__(self, device: Device, buffers: Sequence[int] = ()) -> None:
+        head = f"#version {130 if device.modern else 120}\n"
         vertex, fragment = shader_text("over.vert.glsl"), shader_text("over.frag.glsl")
         self._over = {  # drivers in software walk through branches that are never taken
-            tidy: Program("over", head + vertex, head + "#define TIDY\n" * tidy + fragment)
+            tidy: device.program("over", head + vertex, head + "#define TIDY\n" * tidy + fragment)
             for tidy in (False, True)
         }
         self._target = RenderTarget(GL_RGBA8, buffers, unit=_UNIT)

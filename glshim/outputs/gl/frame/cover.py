@@ -7,6 +7,7 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
+from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.ask import integers, is_enabled
@@ -20,6 +21,7 @@ class Cover:
 
     def __init__(self) -> None:
         self._surface: str | Colour = "app"
+        self._devices: dict[int, Device] = {}
         self._flats: dict[int, Program] = {}
         """By context."""
         self._paints: dict[tuple[int, bool], Paint] = {}
@@ -78,6 +80,7 @@ class Cover:
 
     def _forgotten(self) -> list[Program | Paint]:
         context = current_context()
+        self._devices.pop(context, None)
         found: list[Program | Paint] = []
         for textures in (True, False):
             paint = self._paints.pop((context, textures), None)
@@ -89,13 +92,19 @@ class Cover:
     def _paint(self) -> Paint:
         key = current_context(), self._surface == "paint"
         if key not in self._paints:
-            self._paints[key] = Paint(textures=key[1])
+            self._paints[key] = Paint(self._device(), textures=key[1])
         return self._paints[key]
+
+    def _device(self) -> Device:
+        context = current_context()
+        if context not in self._devices:
+            self._devices[context] = attach()
+        return self._devices[context]
 
     def _flat(self) -> Program:
         context = current_context()
         if context not in self._flats:
-            self._flats[context] = Program(
+            self._flats[context] = self._device().program(
                 "surface", shader_text("surface.vert.glsl"), shader_text("surface.frag.glsl")
             )
         return self._flats[context]

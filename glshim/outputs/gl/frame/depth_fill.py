@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from glshim.model.batch import Item
-from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.device.devices import Device
+from glshim.outputs.gl.device.programs import shader_text
 from glshim.outputs.gl.device.triangles import triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor
 from glshim.outputs.gl.frame.depth import Box, DepthCopy
@@ -28,11 +29,11 @@ _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
 class DepthFill:
     """Draws polygons as depth alone. Make and use it inside the state guard."""
 
-    def __init__(self) -> None:
-        self._program = Program(
-            "depth fill", shader_text("depth_fill.vert.glsl"), shader_text("depth_fill.frag.glsl"),
-            attributes=("vertex",),
-        )  # fmt: skip
+    def __init__(self, device: Device) -> None:
+        self._program = device.program(
+            "depth fill", shader_text("depth_fill.vert.glsl"), shader_text("depth_fill.frag.glsl")
+        )
+        self._vertex = self._program.location("vertex")
 
     def fill(
         self, depth: DepthCopy, items: Iterable[Item], box: Box, reversed_depth: bool
@@ -47,7 +48,7 @@ class DepthFill:
         if has_vertex_arrays():
             gl.glBindVertexArray(0)
         gl.glBindBuffer(GL_ARRAY_BUFFER, 0)
-        gl.glEnableVertexAttribArray(0)
+        gl.glEnableVertexAttribArray(self._vertex)
         for batch, camera in items:
             points = triangles(batch)
             if not len(points) or min(camera.viewport[2:]) <= 0:
@@ -62,8 +63,8 @@ class DepthFill:
                     "planes": tuple(planes),
                 }
             )  # fmt: skip
-            gl.glVertexAttribPointer(0, 3, GL_FLOAT, 0, 0, points.ctypes.data)
+            gl.glVertexAttribPointer(self._vertex, 3, GL_FLOAT, 0, 0, points.ctypes.data)
             gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(points))
-        gl.glDisableVertexAttribArray(0)
+        gl.glDisableVertexAttribArray(self._vertex)
         gl.glDisable(GL_DEPTH_TEST)
         gl.glDepthMask(0)

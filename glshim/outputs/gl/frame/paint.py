@@ -9,7 +9,8 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
-from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.device.devices import Device
+from glshim.outputs.gl.device.programs import shader_text
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
@@ -51,11 +52,11 @@ _MADE = {
 class Paint:
     """A program of one context, in use during the app's draws."""
 
-    def __init__(self, *, textures: bool) -> None:
+    def __init__(self, device: Device, *, textures: bool) -> None:
         """textures: whether the app's textures stay on; without them its fog goes, too."""
         self._textures = textures
         fragment = "" if textures else shader_text("paint.frag.glsl")
-        self._program = Program("paint", shader_text("paint.vert.glsl"), fragment)
+        self._program = device.program("paint", shader_text("paint.vert.glsl"), fragment)
         self._turned_on = False
 
     def begin(self) -> bool:

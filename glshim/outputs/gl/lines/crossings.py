@@ -22,6 +22,7 @@ from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.device.buffers import Buffer, Ring
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
@@ -157,10 +158,11 @@ class _Scene:
 class Crossings:
     """Finds visible intersections. Make and use it inside the state guard."""
 
-    def __init__(self, cache_bytes: int = 128 << 20) -> None:
+    def __init__(self, device: ModernDevice, cache_bytes: int = 128 << 20) -> None:
+        self._device = device
         self._bodies: AgingCache[_Body] = AgingCache(cache_bytes, drop=_Body.release)
         self._programs: dict[tuple[int, bool], Program] = {}
-        self._ring = Ring(1 << 16)
+        self._ring = Ring(device, 1 << 16)
         self._last: tuple[Hashable, Rows, Floats] | None = None
         self._targets = tuple(
             RenderTarget(kind, (GL_DEPTH_COMPONENT32F,), unit=_UNIT)
@@ -217,7 +219,7 @@ class Crossings:
                 eye = [_moved(body.corners, at) for body, at in small]
                 streamed.append((np.concatenate(eye).astype(np.float32), np.eye(4)))
         offset = self._ring.put(*(corners for corners, _ in streamed))
-        chunks = [_Chunk(body.corners, at, _held(body), 0) for body, at in kept]
+        chunks = [_Chunk(body.corners, at, self._held(body), 0) for body, at in kept]
         for corners, at in streamed:
             chunks.append(_Chunk(corners, at, self._ring, offset))
             offset += corners.nbytes
@@ -233,6 +235,13 @@ class Crossings:
             made = _Body(batches)
             found = self._bodies.put(key, made, 100 * len(made))  # 36 each here, there; 24 beside
         return found
+
+    def _held(self, body: _Body) -> Buffer:
+        """The buffer with a body's corners."""
+        if body.buffer is None:
+            body.buffer = Buffer(self._device)
+            body.buffer.fill(body.corners)
+        return body.buffer
 
     def _seeds(self, scene: _Scene, camera: Camera, box: Box, frame: Frame) -> Rows:
         """(N, 2) the pairs of triangles that both passes found, each once: their numbers, plus
@@ -292,19 +301,11 @@ class Crossings:
         if found is None:
             defines = f"#define CLIP_PLANES {planes}\n#define TRAP {int(trap)}\n"
             head = f"#version 330\n{defines}#line 1\n"
-            found = self._programs[planes, trap] = Program(
+            found = self._programs[planes, trap] = self._device.program(
                 "crossings", head + shader_text("crossings.vert.glsl"),
                 head + shader_text("crossings.frag.glsl"),
             )  # fmt: skip
         return found
-
-
-def _held(body: _Body) -> Buffer:
-    """The buffer with a body's corners."""
-    if body.buffer is None:
-        body.buffer = Buffer()
-        body.buffer.fill(body.corners)
-    return body.buffer
 
 
 def _moved(corners: Floats, modelview: Doubles) -> Doubles:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
+from glshim.outputs.gl.device.devices import Device
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import inputs_of
 from glshim.outputs.gl.frame.frame import Frame
@@ -21,6 +22,7 @@ from glshim.styling.values import Uniform
 
 _VERTEX, _FRAGMENT = shader_text("legacy.vert.glsl"), shader_text("depth.glsl")
 _TYPES = {1: "float", 2: "vec2", 3: "vec3", 4: "vec4"}
+_Sizes = tuple[tuple[str, int], ...]
 _AT_ONCE = 1 << 14
 """Records whose vertices lie in memory at a time: a few megabytes."""
 
@@ -31,8 +33,10 @@ class LegacyPen:
     It is slower by what the expansion takes, and nothing stays on the GPU between draws.
     """
 
-    def __init__(self) -> None:
-        self._programs: dict[tuple[Shader, tuple[tuple[str, int], ...]], Program] = {}
+    def __init__(self, device: Device) -> None:
+        self._device = device
+        self._programs: dict[tuple[Shader, _Sizes], tuple[Program, list[int]]] = {}
+        """With the locations of their attributes: the place, and what lines pass."""
 
     def draw(
         self,
@@ -59,28 +63,31 @@ class LegacyPen:
             )  # fmt: skip
             if not len(found.places):
                 continue
-            self._program(shader, found).use(inputs, uniforms)
-            _draw(found, camera)
+            program, locations = self._program(shader, found)
+            program.use(inputs, uniforms)
+            _draw(found, camera, locations)
 
-    def _program(self, shader: Shader, found: Expansion) -> Program:
+    def _program(self, shader: Shader, found: Expansion) -> tuple[Program, list[int]]:
         sizes = tuple((name, rows.shape[1]) for name, rows in found.values.items())
-        program = self._programs.get((shader, sizes))
-        if program is None:
+        known = self._programs.get((shader, sizes))
+        if known is None:
             declared = " ".join(
                 f"attribute {_TYPES[size]} of_{name}; varying {_TYPES[size]} {name};"
                 for name, size in sizes
             )
             copied = " ".join(f"{name} = of_{name};" for name, _ in sizes)
-            program = self._programs[shader, sizes] = Program(
+            program = self._device.program(
                 shader.name,
                 f"#version 120\n#define DECLARED {declared}\n#define COPIED {copied}\n{_VERTEX}",
                 f"#version 120\n{_FRAGMENT}\n#line 1\n{shader.fragment}",
-                attributes=("place", *(f"of_{name}" for name, _ in sizes)),
             )
-        return program
+            attributes = ("place", *(f"of_{name}" for name, _ in sizes))
+            known = program, [program.location(attribute) for attribute in attributes]
+            self._programs[shader, sizes] = known
+        return known
 
 
-def _draw(found: Expansion, camera: Camera) -> None:
+def _draw(found: Expansion, camera: Camera, locations: Sequence[int]) -> None:
     """Strips as triangles, from the client's memory: what restarts primitives has no say."""
     x, y, *size = camera.viewport
     half = np.array(size) / 2.0
@@ -95,10 +102,11 @@ def _draw(found: Expansion, camera: Camera) -> None:
     for values in found.values.values():
         columns.append((rows, values.shape[1], at))
         at += 4 * values.shape[1]
-    for location, (array, width, offset) in enumerate(columns):
+    used = [one for one in zip(locations, columns, strict=True) if one[0] >= 0]
+    for location, (array, width, offset) in used:
         gl.glEnableVertexAttribArray(location)
         data, stride = array.ctypes.data + offset, array.strides[-2]
         gl.glVertexAttribPointer(location, width, GL_FLOAT, 0, stride, data)
     gl.glDrawArrays(GL_TRIANGLES, 0, len(rows))
-    for location in range(len(columns)):
+    for location, _ in used:
         gl.glDisableVertexAttribArray(location)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.device.buffers import Ring
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
@@ -32,9 +33,10 @@ Records = NDArray[np.float32]
 class Pen:
     """Make and use it inside the state guard."""
 
-    def __init__(self, ring_bytes: int = 8 << 20) -> None:
+    def __init__(self, device: ModernDevice, ring_bytes: int = 8 << 20) -> None:
+        self._device = device
         self._programs: dict[tuple[Shader, int], Program] = {}
-        self._ring = Ring(ring_bytes)
+        self._ring = Ring(device, ring_bytes)
         self._array = made("glGenVertexArrays")
         gl.glBindVertexArray(self._array)
         for location in range(len(INPUTS)):
@@ -75,7 +77,7 @@ class Pen:
         return found
 
     def _compiled(self, shader: Shader, planes: int) -> Program:
-        return Program(shader.name, *stages(shader, planes))
+        return self._device.program(shader.name, *stages(shader, planes))
 
 
 def stages(shader: Shader, planes: int) -> tuple[str, str]:

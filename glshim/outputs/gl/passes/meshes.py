@@ -21,6 +21,7 @@ from glshim.linework.objects import Objects
 from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.names import delete
 from glshim.outputs.gl.device.uploads import upload
 from glshim.outputs.gl.passes.sieved import Sieved
@@ -46,6 +47,7 @@ class Resident:
     textures: dict[str, int]
     nbytes: int
     sieved: Sieved
+    _device: ModernDevice
     _indices: dict[Element, Buffer] = field(default_factory=dict)
 
     def count(self, element: Element) -> int:
@@ -68,7 +70,7 @@ class Resident:
         if found is not None:
             found.bind()
             return
-        found = self._indices[element] = Buffer(GL_ELEMENT_ARRAY_BUFFER)
+        found = self._indices[element] = Buffer(self._device, GL_ELEMENT_ARRAY_BUFFER)
         own = self.creases or self.mesh
         found.fill(own.triangles if element == "surface" else self.sieved.indices(element))
 
@@ -102,7 +104,8 @@ class Residents:
     """Recovers meshes of bodies and keeps what is asked for again. Use it inside the guard.
     most_bytes bounds the driver's memory."""
 
-    def __init__(self, objects: Objects, most_bytes: int) -> None:
+    def __init__(self, device: ModernDevice, objects: Objects, most_bytes: int) -> None:
+        self._device = device
         self._objects = objects
         self._kept: AgingCache[Resident] = AgingCache(most_bytes, drop=Resident.free)
         self._passing: list[Resident] = []
@@ -129,8 +132,8 @@ class Residents:
             if found is not None:
                 return found
         mesh = self._objects.mesh(batches, tolerance)
-        made = _resident(mesh) if criterion is None else _creased(
-            mesh, self._objects.creases(mesh, criterion)
+        made = _resident(self._device, mesh) if criterion is None else _creased(
+            self._device, mesh, self._objects.creases(mesh, criterion)
         )
         if still:
             return self._kept.put(key, made, made.nbytes)
@@ -154,10 +157,10 @@ class Residents:
             self._passing.pop().free()
 
 
-def _resident(mesh: Mesh) -> Resident:
+def _resident(device: ModernDevice, mesh: Mesh) -> Resident:
     """A mesh as it is."""
     edges = edge_mesh(mesh)
-    return _uploaded(mesh, edges, None, {
+    return _uploaded(device, mesh, edges, None, {
         "mesh_positions": _four(mesh.positions),
         "mesh_normals": _shorts(_outwards(mesh)),
         "mesh_edges": np.concatenate((edges.indices, inner_sides(mesh, edges))),
@@ -165,7 +168,7 @@ def _resident(mesh: Mesh) -> Resident:
     })  # fmt: skip
 
 
-def _creased(mesh: Mesh, found: Creases) -> Resident:
+def _creased(device: ModernDevice, mesh: Mesh, found: Creases) -> Resident:
     """A mesh by its topology vertices, the first of which are its vertices. Normals in whole
     floats: contours are their zeros."""
     edges = edge_mesh(mesh)
@@ -175,7 +178,7 @@ def _creased(mesh: Mesh, found: Creases) -> Resident:
     positions[:, 3] = found.vertices + 1
     turned = np.where(inside_out, -1.0, 1.0)[found.vertices]
     bits += 64 * inside_out[mesh.triangles[:, 0]]
-    return _uploaded(mesh, edges, found, {
+    return _uploaded(device, mesh, edges, found, {
         "mesh_positions": positions,
         "mesh_normals": _four(found.normals * turned[:, None]),
         "mesh_edges": edges.indices,
@@ -185,11 +188,16 @@ def _creased(mesh: Mesh, found: Creases) -> Resident:
 
 
 def _uploaded(
-    mesh: Mesh, edges: EdgeMesh, creases: Creases | None, rows: dict[str, NDArray[np.generic]]
+    device: ModernDevice,
+    mesh: Mesh,
+    edges: EdgeMesh,
+    creases: Creases | None,
+    rows: dict[str, NDArray[np.generic]],
 ) -> Resident:
     textures = {name: upload(own) for name, own in rows.items()}
     nbytes = sum(own.nbytes for own in rows.values())
-    return Resident(mesh, edges, creases, textures, nbytes, Sieved(mesh, edges, creases))
+    sieved = Sieved(device, mesh, edges, creases)
+    return Resident(mesh, edges, creases, textures, nbytes, sieved, device)
 
 
 def _triangles(vertices: NDArray[np.int32], flags: NDArray[np.generic]) -> NDArray[np.int32]:

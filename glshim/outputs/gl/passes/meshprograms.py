@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.styling.passes import MeshShader
 
@@ -15,7 +16,8 @@ _MESH = shader_text("window.glsl", "mesh.glsl", "edges.glsl")
 class MeshPrograms:
     """Of one context, each compiled once."""
 
-    def __init__(self) -> None:
+    def __init__(self, device: ModernDevice) -> None:
+        self._device = device
         self._found: dict[Hashable, Program] = {}
 
     def find(
@@ -41,7 +43,7 @@ class MeshPrograms:
 
     def compiled(self, shader: MeshShader, texts: tuple[str, str, str]) -> Program:
         """A new one from the texts of its stages."""
-        return Program(shader.name, *texts)
+        return self._device.program(shader.name, *texts)
 
 
 def stages(shader: MeshShader, defines: str) -> tuple[str, str, str]:

@@ -16,6 +16,7 @@ from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.textures import Textures
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
@@ -57,16 +58,16 @@ _UNITS = UNITS | {
 class Runner:
     """Draws passes in one context. Make and use it inside the state guard."""
 
-    def __init__(self, objects: Objects, most_bytes: int) -> None:
-        self.residents = Residents(objects, most_bytes)
-        self._stage = Stage()
+    def __init__(self, device: ModernDevice, objects: Objects, most_bytes: int) -> None:
+        self.residents = Residents(device, objects, most_bytes)
+        self._stage = Stage(device)
         self._colour = ColourCopy()
         self._gbuffer: GBuffer | None = None
-        self._programs = MeshPrograms()
+        self._programs = MeshPrograms(device)
         self._array = made("glGenVertexArrays")
         gl.glBindVertexArray(self._array)
         # Compatibility contexts draw nothing without an array 0: one value for all vertices.
-        Buffer().fill(np.zeros(4, np.float32))
+        Buffer(device).fill(np.zeros(4, np.float32))
         gl.glEnableVertexAttribArray(0)
         gl.glVertexAttribPointer(0, 4, GL_FLOAT, 0, 0, None)
         gl.glVertexAttribDivisor(0, 1 << 30)

@@ -16,11 +16,11 @@ from glshim.geometry.meshshaders.sieve import EdgeSieve, TriangleSieve
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.outputs.gl.device.buffers import Buffer
+from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.names import delete
 from glshim.outputs.gl.device.uploads import upload
 from glshim.spec.constants import (
     GL_ELEMENT_ARRAY_BUFFER,
-    GL_STREAM_DRAW,
     GL_TEXTURE0,
     GL_TEXTURE_2D,
 )
@@ -57,7 +57,10 @@ class Sieved:
     """Of one mesh, sieve by sieve: passes that ask for unlike elements take turns in each frame.
     Use it inside the guard."""
 
-    def __init__(self, mesh: Mesh, edges: EdgeMesh, creases: Creases | None) -> None:
+    def __init__(
+        self, device: ModernDevice, mesh: Mesh, edges: EdgeMesh, creases: Creases | None
+    ) -> None:
+        self._device = device
         self._mesh, self._edges, self._creases = mesh, edges, creases
         self._left: dict[tuple[int, tuple[float, float], Element], _Remaining] = {}
 
@@ -103,8 +106,10 @@ class Sieved:
             texels[:, 0] = rows
             left.eye, left.texture, left.count = eye.tobytes(), upload(texels), len(rows)
             if element in _INDEXED:
-                left.indices = left.indices or Buffer(GL_ELEMENT_ARRAY_BUFFER)
-                left.indices.fill(self.indices(element, rows), GL_STREAM_DRAW)
+                left.indices = left.indices or Buffer(
+                    self._device, GL_ELEMENT_ARRAY_BUFFER, dynamic=True
+                )
+                left.indices.fill(self.indices(element, rows))
         if left.indices is not None:
             left.indices.bind()
         gl.glActiveTexture(GL_TEXTURE0 + UNIT)

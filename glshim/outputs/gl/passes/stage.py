@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.device.devices import ModernDevice
+from glshim.outputs.gl.device.programs import shader_text
 from glshim.outputs.gl.frame.canvas import Canvas, fill_viewport
 from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.spec.constants import (
@@ -18,11 +19,13 @@ NOTHING_DRAWN = 255
 
 
 class Stage:
-    """Make and use it inside the state guard, in a context of OpenGL 3.3."""
+    """Make and use it inside the state guard."""
 
-    def __init__(self) -> None:
-        self._canvas = Canvas(modern=True, buffers=(GL_DEPTH24_STENCIL8,))
-        self._seed = Program("seed", shader_text("seed.vert.glsl"), shader_text("seed.frag.glsl"))
+    def __init__(self, device: ModernDevice) -> None:
+        self._canvas = Canvas(device, buffers=(GL_DEPTH24_STENCIL8,))
+        self._seed = device.program(
+            "seed", shader_text("seed.vert.glsl"), shader_text("seed.frag.glsl")
+        )
 
     def open(self, box: Box, *, deep: bool = True) -> None:
         """Draw on it from now on: no colour, the finished depth (bound at its unit), stencil

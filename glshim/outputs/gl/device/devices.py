@@ -1,0 +1,158 @@
+"""What makes programs and buffers in a context: moderngl from OpenGL 3.3 on, before it the bare
+driver. Which of the two is chosen once a context, by `attach`."""
+
+from __future__ import annotations
+
+import ctypes
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from typing import Any, ClassVar
+
+import moderngl
+
+from glshim.errors import RenderError
+from glshim.outputs.gl.device.guard import Guard, possible
+from glshim.outputs.gl.device.programs import Program
+from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
+from glshim.spec.context import MODERN, OLDEST, version
+from glshim.spec.driver import address, gl
+
+_INFO_BYTES = 4096
+"""Of what a driver says about a shader, at most."""
+
+
+class Device(ABC):
+    """Makes objects in the context that is current when it is made, while that is current."""
+
+    modern: ClassVar[bool]
+    """Whether the context has what OpenGL 3.3 has."""
+
+    @abstractmethod
+    def program(self, name: str, vertex: str, fragment: str = "") -> Program:
+        """From GLSL texts; an empty one leaves its stage to the fixed function. Raises
+        `RenderError` with the driver's words when it does not compile. No other state changes."""
+
+
+def attach() -> Device:
+    """A device of the current context, whose state stays as it was. Outside the state guard."""
+    if (version() or OLDEST) < MODERN or not possible():  # what moderngl sets could not be undone
+        return LegacyDevice()
+    with Guard():
+        return ModernDevice()
+
+
+class ModernDevice(Device):
+    """Through moderngl. Make it inside the state guard."""
+
+    modern = True
+
+    def __init__(self) -> None:
+        store = getattr(moderngl, "_store", None)
+        shared = getattr(store, "default_context", None)
+        functions: Any = _Functions()  # moderngl's stubs know no such object
+        self._context: Any = moderngl.create_context(require=330, context=functions)
+        if store is not None:  # an app's own moderngl.get_context() does not get ours
+            store.default_context = shared
+
+    def program(
+        self,
+        name: str,
+        vertex: str,
+        fragment: str = "",
+        geometry: str = "",
+        captured: Sequence[str] = (),
+    ) -> Program:
+        """See `Device.program`; also with a geometry stage. captured: outputs that transform
+        feedback takes."""
+        try:
+            linked = self._context.program(
+                vertex_shader=vertex, fragment_shader=fragment or None,
+                geometry_shader=geometry or None, varyings=tuple(captured),
+            )  # fmt: skip
+        except moderngl.Error as error:
+            lines = (line.strip("= ") for line in str(error).splitlines())
+            raise _not_compiled(name, " ".join(filter(None, lines))) from error
+        return Program(linked)
+
+    def buffer(self, size: int, *, dynamic: bool = False) -> Any:
+        """A buffer of moderngl's with room for so many bytes, one at least. Inside the guard: it
+        binds what it makes and writes to ``GL_ARRAY_BUFFER``."""
+        return self._context.buffer(reserve=max(size, 1), dynamic=dynamic)
+
+
+class LegacyDevice(Device):
+    """By the bare driver, with what OpenGL 2.1 has."""
+
+    modern = False
+
+    def program(self, name: str, vertex: str, fragment: str = "") -> Program:
+        """See `Device.program`."""
+        made = _Bare()
+        for kind, text in ((GL_VERTEX_SHADER, vertex), (GL_FRAGMENT_SHADER, fragment)):
+            if text:
+                made.attach(kind, text)
+        words = made.link()
+        if words is not None:
+            made.release()
+            raise _not_compiled(name, words)
+        return Program(made)
+
+
+class _Functions:
+    """Where moderngl finds the driver's functions: where PyOpenGL does, whatever made the context
+    (by itself it looks for GLX alone once it has seen another)."""
+
+    def load_opengl_function(self, name: str) -> int:
+        """Its address; 0: there is none."""
+        return address(name)
+
+    def __enter__(self) -> None: ...
+
+    def __exit__(self, *_: object) -> None: ...
+
+    def release(self) -> None:
+        """Nothing is held."""
+
+
+class _Bare:
+    """A program of the driver's (`glshim.outputs.gl.device.programs.Linked`)."""
+
+    def __init__(self) -> None:
+        self.glo = int(gl.glCreateProgram())
+
+    def attach(self, kind: int, text: str) -> None:
+        """A stage of it."""
+        shader = gl.glCreateShader(kind)
+        source = text.encode("utf-8")
+        pointer, length = ctypes.c_char_p(source), ctypes.c_int(len(source))
+        gl.glShaderSource(shader, 1, ctypes.byref(pointer), ctypes.byref(length))
+        gl.glCompileShader(shader)
+        gl.glAttachShader(self.glo, shader)
+        gl.glDeleteShader(shader)
+
+    def link(self) -> str | None:
+        """Finish it; what the driver says where that cannot be done."""
+        linked = ctypes.c_int()
+        gl.glLinkProgram(self.glo)
+        gl.glGetProgramiv(self.glo, GL_LINK_STATUS, ctypes.byref(linked))
+        return None if linked.value else self._words()
+
+    def release(self) -> None:
+        """Delete it. In its context."""
+        gl.glDeleteProgram(self.glo)
+
+    def _words(self) -> str:
+        """What the driver says about it and its shaders."""
+        text = ctypes.create_string_buffer(_INFO_BYTES)
+        count, shaders = ctypes.c_int(), (ctypes.c_uint * 8)()
+        gl.glGetProgramInfoLog(self.glo, len(text), None, text)
+        said = [text.value]
+        gl.glGetAttachedShaders(self.glo, len(shaders), ctypes.byref(count), shaders)
+        for shader in shaders[: count.value]:
+            gl.glGetShaderInfoLog(shader, len(text), None, text)
+            said.append(text.value)
+        return b" ".join(said).decode("utf-8", "replace").strip()
+
+
+def _not_compiled(name: str, words: str) -> RenderError:
+    return RenderError(f"shader {name!r} does not compile: {words}")
