@@ -20,7 +20,7 @@ from glshim.errors import RenderError
 from glshim.model.batch import Wanted
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
-from glshim.outputs.output import WINDOW, Drawable, Given, Output
+from glshim.outputs.output import WINDOW, Destination, Given, Output
 from glshim.sources.fixed.lights import light
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
@@ -57,9 +57,9 @@ class Pipeline:
 
     def __init__(self, outputs: Sequence[Output] = OUTPUTS) -> None:
         self._outputs = outputs
-        self._drawable = WINDOW
+        self._destination = WINDOW
         self._enlarged: Styler | None = None
-        """The styler, for the scale of the drawable."""
+        """The styler, for the scale of the destination."""
         self.styler: Styler | None = None
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
         self._covers = False
@@ -100,14 +100,14 @@ class Pipeline:
         """From the next frame on. Calls no GL: any thread may say so at any time."""
         self._next = (styler,)
 
-    def draw_into(self, drawable: Drawable) -> None:
+    def draw_into(self, destination: Destination) -> None:
         """What the program draws into from now on."""
-        scale, self._drawable = self._drawable.scale, drawable
-        if scale != drawable.scale:
+        scale, self._destination = self._destination.scale, destination
+        if scale != destination.scale:
             self._enlarge()
 
     def _enlarge(self) -> None:
-        scale = self._drawable.scale
+        scale = self._destination.scale
         self._enlarged = enlarged(self.styler, scale) if self.styler is not None else None
 
     # -- layer, styler, outputs: what the follower hands on --------------------------------------
@@ -130,7 +130,7 @@ class Pipeline:
             return
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
-            finished.lighting, self._drawable.scale,
+            finished.lighting, self._destination.scale,
         )  # fmt: skip
         try:
             self._put_out(list(self._enlarged.draws(layer)), layer, scene)
@@ -148,7 +148,7 @@ class Pipeline:
         refusals = []
         for output in self._outputs:
             try:
-                output.add(given, layer, self._drawable, scene)
+                output.add(given, layer, self._destination, scene)
             except RenderError as error:
                 say_unstyled(str(error))
                 refusals.append(str(error))
@@ -157,7 +157,7 @@ class Pipeline:
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        double = self._drawable.double_buffered
+        double = self._destination.double_buffered
         if double is None:
             double = bool(integer(GL_DOUBLEBUFFER))
         return call() if double else frames.present(call)
@@ -267,11 +267,11 @@ def counted() -> Counted:
     return _current.counted if _current is not None else Counted()
 
 
-def draw_into(drawable: Drawable) -> None:
+def draw_into(destination: Destination) -> None:
     """The program draws into something else from now on: a shot, into tiles of a large picture in
     place of its window. What the style draws is enlarged as the picture is."""
     if _current is not None:
-        _current.draw_into(drawable)
+        _current.draw_into(destination)
 
 
 def uninstall() -> None:

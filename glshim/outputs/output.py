@@ -19,7 +19,7 @@ Given = Lines | Pass | BackFaces
 
 
 @dataclass(frozen=True, slots=True)
-class Drawable:
+class Destination:
     """What the program draws into: its window, or during a shot a tile of a larger picture, the
     sheet. Pixels are those of the framebuffer."""
 
@@ -33,7 +33,7 @@ class Drawable:
     """Whether the window is; None: the driver knows."""
 
 
-WINDOW = Drawable()
+WINDOW = Destination()
 """The program's own window."""
 
 
@@ -61,7 +61,7 @@ class Output:
         """It has drawn them."""
 
     def add(
-        self, given: Sequence[Given], layer: Layer, drawable: Drawable, context: Context
+        self, given: Sequence[Given], layer: Layer, destination: Destination, context: Context
     ) -> None:
         """What the styler gave for a finished layer, in the order of drawing, while the app's
         context is current and before anything of the next layer is drawn. Raises `RenderError`

@@ -13,7 +13,7 @@ from glshim import pipeline
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.outputs.gl.picture import Picture
-from glshim.outputs.output import WINDOW, Drawable, Output
+from glshim.outputs.output import WINDOW, Destination, Output
 from glshim.sources.following.layers import FinishedLayer
 from glshim.styling.lines import Lines
 from glshim.styling.options import option
@@ -33,15 +33,15 @@ class Noted(Output):
     def set_styler(self, styler: Styler | None) -> None:
         self.heard.append(("styler", styler))
 
-    def add(self, given: Any, layer: Any, drawable: Drawable, context: Any) -> None:
-        self.heard.append((list(given), layer, drawable))
+    def add(self, given: Any, layer: Any, destination: Destination, context: Any) -> None:
+        self.heard.append((list(given), layer, destination))
 
     def frame_ends(self) -> None:
         self.heard.append("frame ends")
 
 
 class Refusing(Output):
-    def add(self, given: Any, layer: Any, drawable: Drawable, context: Any) -> None:
+    def add(self, given: Any, layer: Any, destination: Destination, context: Any) -> None:
         raise RenderError("not here")
 
 
@@ -69,8 +69,8 @@ def test_an_output_gets_the_lines_and_passes_of_a_layer_and_the_ends_of_frames()
         followed.layer_ends(FINISHED, scene())
     followed._frame_over()
     assert output.heard[0] == ("styler", Raskar())
-    lines, layer, drawable = output.heard[1]
-    assert [type(each) for each in lines] == [Lines] and drawable is WINDOW
+    lines, layer, destination = output.heard[1]
+    assert [type(each) for each in lines] == [Lines] and destination is WINDOW
     assert layer.items == FINISHED.items
     assert any(isinstance(each, Pass) for each in output.heard[3][0])
     assert output.heard[-1] == "frame ends"
@@ -106,7 +106,7 @@ def test_a_larger_drawable_enlarges_the_style_and_tells_the_outputs(
     output = Noted()
     followed = pipeline.Pipeline([output])
     followed.use_style(Sized())
-    tile = Drawable((100.0, 0.0), 8.0, (512, 512), double_buffered=True)
+    tile = Destination((100.0, 0.0), 8.0, (512, 512), double_buffered=True)
     followed.draw_into(tile)
     followed.layer_ends(FINISHED, scene())
     assert output.heard[-1][::2] == ([(24.0, 8.0)], tile)

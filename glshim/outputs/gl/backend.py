@@ -29,7 +29,7 @@ from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
-from glshim.outputs.output import WINDOW, Drawable
+from glshim.outputs.output import WINDOW, Destination
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_DEPTH_BITS,
@@ -94,7 +94,7 @@ class Backend:
             text = f"no drawing in this context ({version_text()}): {error}"
             raise RenderError(text) from error
 
-    def render(self, draws: Iterable[Lines | Pass], drawable: Drawable = WINDOW) -> None:
+    def render(self, draws: Iterable[Lines | Pass], destination: Destination = WINDOW) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 
         Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
@@ -111,11 +111,11 @@ class Backend:
         items = [item for run in runs for item in run.items]
         if not items or not possible():
             return
-        box = box_of((camera for _, camera in items), drawable.bounds)
+        box = box_of((camera for _, camera in items), destination.bounds)
         if not box[2] or not box[3]:
             return
         with Guard():
-            frame = self._frame(box, items, drawable)
+            frame = self._frame(box, items, destination)
             for run in runs:
                 if run.passes:
                     self._run(run.passes, frame)
@@ -123,7 +123,7 @@ class Backend:
                 for _, alike in groupby(run.lines, key=lambda group: group.camera.stencil):
                     self._ink(list(alike), frame)
 
-    def _frame(self, box: Box, items: list[Item], drawable: Drawable) -> Frame:
+    def _frame(self, box: Box, items: list[Item], destination: Destination) -> Frame:
         """The framebuffer that is bound, and plain state for drawing over it."""
         framebuffer = integer(GL_DRAW_FRAMEBUFFER_BINDING)
         bits = integer(GL_DEPTH_BITS)
@@ -134,7 +134,7 @@ class Backend:
                 self._depth_fill = DepthFill(self._device)
             self._depth_fill.fill(self._depth, items, box, reversed_depth)
         margin = depth_margin(bits or _FILLED_BITS)
-        return Frame(self._depth, margin, reversed_depth, framebuffer, box, drawable)
+        return Frame(self._depth, margin, reversed_depth, framebuffer, box, destination)
 
     def _run(self, passes: list[Pass], frame: Frame) -> None:
         """Passes in turn, laid over the frame."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
-from glshim.outputs.output import Context, Drawable, Given, Output
+from glshim.outputs.output import Context, Destination, Given, Output
 from glshim.spec.driver import current_context
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
@@ -33,7 +33,7 @@ class Picture(Output):
         self._cover.uncover()
 
     def add(
-        self, given: Sequence[Given], layer: Layer, drawable: Drawable, context: Context
+        self, given: Sequence[Given], layer: Layer, destination: Destination, context: Context
     ) -> None:
         faces = [one for one in given if isinstance(one, BackFaces)]
         others = [one for one in given if not isinstance(one, BackFaces)]
@@ -41,7 +41,7 @@ class Picture(Output):
             context.mark()
             self._fixed.render(faces)
         if others:
-            self._backend(context).render(others, drawable)
+            self._backend(context).render(others, destination)
 
     def forget(self) -> None:
         self._cover.forget()

@@ -14,7 +14,7 @@ from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
 from glshim.notices import say
 from glshim.outputs.gl.frame.grab import grab
-from glshim.outputs.output import WINDOW, Drawable
+from glshim.outputs.output import WINDOW, Destination
 from glshim.running.shots.calls import Calls, convert
 from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
@@ -169,7 +169,7 @@ class Shot:
         if fresh:
             self.target.bind()
         origin = float(tile.x), float(tile.y)
-        pipeline.draw_into(Drawable(origin, self.mapping.scale, self.target.size, self.double))
+        pipeline.draw_into(Destination(origin, self.mapping.scale, self.target.size, self.double))
         self._tile, self._settled = tile, False
 
     def _take(self, tile: Tile) -> None:

@@ -57,14 +57,14 @@ def view_of(camera: Camera, bounds: Size) -> dict[str, NDArray[np.float64]] | No
 def inputs_of(camera: Camera, frame: Frame) -> dict[str, Any] | None:
     """The uniforms of the preludes of line shaders: those of `view_of`, and the finished depth. The
     camera's depth range is turned (`turned`)."""
-    view = view_of(camera, frame.drawable.bounds)
+    view = view_of(camera, frame.destination.bounds)
     if view is None:
         return None
-    depth, drawable = frame.depth, frame.drawable
+    depth, destination = frame.depth, frame.destination
     return view | {
         "away": frame.depth_sign, "hair": frame.depth_margin, "blur": depth.sample_offset,
         "finished_depth": DEPTH_UNIT, "depth_size": tuple(map(float, depth.size)),
-        "stroke": STROKE_UNIT, "shot": (*drawable.origin, drawable.scale),
+        "stroke": STROKE_UNIT, "shot": (*destination.origin, destination.scale),
     }  # fmt: skip
 
 

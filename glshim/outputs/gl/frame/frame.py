@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from glshim.outputs.gl.frame.depth import Box, DepthCopy
-from glshim.outputs.output import WINDOW, Drawable
+from glshim.outputs.output import WINDOW, Destination
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class Frame:
     """What ink goes over: the name of the app's framebuffer object, 0 for its window."""
     box: Box = (0, 0, 0, 0)
     """Pixels of it that the layer's cameras see."""
-    drawable: Drawable = WINDOW
+    destination: Destination = WINDOW
 
     @property
     def depth_sign(self) -> float:

@@ -184,7 +184,7 @@ class Crossings:
         """
         camera = items[0][1]
         scene = self._scene(items)
-        box = box_of([camera], frame.drawable.bounds)
+        box = box_of([camera], frame.destination.bounds)
         pixels = box[2] * box[3]
         if not 0 < scene.first[-1] < _MOST_TRIANGLES or not 0 < pixels <= _MOST_PIXELS:
             return np.empty((0, RECORD), np.float32)
