@@ -12,8 +12,8 @@ from OpenGL import GL
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.device.devices import LegacyDevice, ModernDevice, attach
-from glshim.outputs.gl.device.guard import Guard
+from glshim.outputs.gl.device.devices import LegacyDevice, attach
+from glshim.outputs.gl.lines.pen import Pen
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from stylers.raskar import Raskar
@@ -152,14 +152,13 @@ def test_a_full_attribute_stack_gets_the_device_that_needs_none(backend):
     for _ in range(depth):
         GL.glPopAttrib()
     assert not device.modern
-    assert attach().modern
+    assert attach().modern == isinstance(backend.pen, Pen)
     assert gl.glGetError() == 0
 
 
-@pytest.mark.parametrize("modern", [True, False])
-def test_a_shader_that_does_not_compile_is_one_error_with_the_drivers_words(backend, modern):
-    with Guard():
-        device = ModernDevice() if modern else LegacyDevice()
+@pytest.mark.parametrize("make", [attach, LegacyDevice])
+def test_a_shader_that_does_not_compile_is_one_error_with_the_drivers_words(backend, make):
+    device = make()
     queries = _queries()
     before = _state(queries)
     with pytest.raises(RenderError, match=r"^shader 'mine' does not compile: .*nonsense"):
