@@ -5,20 +5,20 @@ importing the package `glshim`.
 """
 
 import os
+import sys
 
 VARIABLES = ("GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE", "GLSHIM_KEYS")
 
 
 def start() -> None:
     """Arm glshim when one of its variables is set. Never raises: the program comes first."""
-    if not any(name in os.environ for name in VARIABLES):
+    # ``python -E`` and ``-I`` mean: nothing that the environment says.
+    if sys.flags.ignore_environment or not any(name in os.environ for name in VARIABLES):
         return
     try:
         from glshim.running import startup
 
         startup.arm()
     except Exception as error:
-        import sys
-
         if sys.stderr is not None:
             print(f"glshim: cannot start, the program runs plain: {error!r}", file=sys.stderr)

@@ -14,13 +14,20 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+_MOST_WORD, _MOST_MESSAGE = 80, 1000
+"""Characters of what is quoted in a message, and of a message."""
+
 
 class GlshimError(Exception):
     """Root of the tree: one clear line that says what, where and what to do."""
 
 
 class StyleError(GlshimError):
-    """A style text, style file or option value is not usable."""
+    """A style text, style file or option value is not usable. Its message is one line of bounded
+    length, whatever the text or file holds."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(shown(message, _MOST_MESSAGE))
 
 
 class UnknownNameError(StyleError):
@@ -39,10 +46,29 @@ class RenderError(GlshimError):
     """The extra geometry could not be drawn in this context."""
 
 
+def shown(value: object, most: int = _MOST_WORD) -> str:
+    """A value as part of a message: printable, on one line, its middle left out where it is
+    long."""
+    try:
+        text = str(value)
+    except (ValueError, RecursionError):  # a whole number of thousands of digits; deep tables
+        return f"a {type(value).__name__} that is too long to show"
+    if len(text) > most:
+        text = f"{text[: most // 2]} ... {text[-most // 3 :]}"
+    text = " ".join(text.splitlines())
+    return text if text.isprintable() else "".join(map(_printable, text))
+
+
+def _printable(character: str) -> str:
+    return character if character.isprintable() else ascii(character)[1:-1]
+
+
 def nearest(name: str, known: Iterable[str]) -> tuple[str, ...]:
     """The known names that one may have been meant to be, the likeliest first: those that are much
     like it, or where there are none those that are somewhat."""
     words = tuple(known)
+    if len(name) > _MOST_WORD:  # no typo; the comparison would take its time
+        return ()
     for least in (0.7, 0.5):
         found = difflib.get_close_matches(name, words, n=3, cutoff=least)
         if found:

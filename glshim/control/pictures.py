@@ -7,9 +7,14 @@ import sys
 from itertools import count
 from pathlib import Path
 
-from glshim.notices import say
+from glshim.errors import shown
+from glshim.files import add_picture, has_elevated_rights
+from glshim.notices import say, say_once
 from glshim.outputs.gl.frame.grab import grab
 from glshim.toolkits import frames
+
+_MOST_NAME = 200
+"""Characters of a name before its number."""
 
 
 class Pictures:
@@ -22,24 +27,27 @@ class Pictures:
     def save(self, style: str) -> None:
         """The frame that is about to be presented, as
         ``glshim-PROGRAM-STYLE-NNN.png``; a line says where, or why not."""
+        if has_elevated_rights():
+            say_once("no pictures are saved in a setuid or setgid program")
+            return
         size = frames.drawable_size()
         if size is not None and 0 in size:
             return
-        name = f"glshim-{self._program}-{_word(style)}"
+        name = f"glshim-{self._program}-{_word(style)}"[:_MOST_NAME]
         try:
             self._folder.mkdir(parents=True, exist_ok=True)
             picture = grab(size, frames.drawable_framebuffer())
             for number in count(1):
                 path = self._folder / f"{name}-{number:03d}.png"
                 try:
-                    with path.open("xb") as file:
-                        picture.save(file, "PNG")
+                    add_picture(path, picture)
                 except FileExistsError:
                     continue
-                say(f"saved {path}")
+                say(f"saved {shown(path, 500)}")
                 return
         except OSError as error:
-            say(f"cannot save a picture in {self._folder}: {error.strerror or error}")
+            folder, reason = shown(self._folder, 500), error.strerror or error
+            say(f"cannot save a picture in {folder}: {reason}")
 
 
 def program_name() -> str:

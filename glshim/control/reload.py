@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from glshim.errors import GlshimError
+from glshim.files import read_small
 from glshim.notices import forget, say, say_fault
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
@@ -142,6 +143,6 @@ def _stamp(path: Path) -> tuple[int, int, int] | None:
 
 def _content(path: Path) -> bytes:
     try:
-        return path.read_bytes()
+        return read_small(path)
     except (OSError, ValueError):
         return b""

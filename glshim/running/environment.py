@@ -6,14 +6,19 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from glshim.control.keys import KEYS, LiveSettings, parse_keys, parse_styles
-from glshim.errors import StyleError
+from glshim.errors import StyleError, shown
 from glshim.styling.texts import anchored
 
 STYLE, FRAMES, CAPTURE = "GLSHIM_STYLE", "GLSHIM_FRAMES", "GLSHIM_CAPTURE"
 STYLES, SAVE = "GLSHIM_STYLES", "GLSHIM_SAVE"
+_MOST_TEXT = 1000
+"""Characters of a number, at most: the zeros before it."""
+_MOST_NAME = 250
+"""Bytes of a file's name, at most; file systems allow 255, and numbers grow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,19 +58,24 @@ def read(environ: Mapping[str, str], folder: str = "") -> tuple[Settings, tuple[
 
 def parse_frames(text: str, folder: str = "") -> int:
     """A whole number of frames, at least 1. Raises `StyleError`."""
-    if not re.fullmatch(r"\s*[0-9]+\s*", text) or int(text) < 1:
-        raise StyleError(f"{text!r} is not a number of frames: give a whole number from 1")
+    if not re.fullmatch(r"\s*0*[1-9][0-9]{0,17}\s*", text) or len(text) > _MOST_TEXT:
+        raise StyleError(
+            f"'{shown(text)}' is not a number of frames: give a whole number from 1, of at most 18 "
+            "digits"
+        )
     return int(text)
 
 
 def parse_capture(text: str, folder: str = "") -> str:
     """A file name, made absolute, with at most one ``%d`` or ``%03d``. Raises `StyleError`."""
-    rest = re.sub("%0?[0-9]*d", "", text, count=1)
-    if "%" in rest or not text.lower().endswith(".png"):
+    rest = re.sub("%0?[0-9]{0,2}d", "1", text, count=1)
+    if "%" in rest or Path(rest).suffix.lower() != ".png":
         raise StyleError(
-            f"{text!r} is not a file name for frames: it ends in .png "
+            f"'{shown(text)}' is not a file name for frames: it ends in .png "
             "and holds one %d or %03d, or none, for the frame's number"
         )
+    if len(os.fsencode(os.path.basename(rest))) > _MOST_NAME:
+        raise StyleError(f"'{shown(text)}' is too long a name for a file")
     return os.path.abspath(os.path.join(folder, text))
 
 

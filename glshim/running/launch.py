@@ -59,6 +59,10 @@ def startup_file() -> Path | None:
 
 def require_startup_file() -> None:
     """Raises `EnvironmentFault` where Python would not start glshim with the program."""
+    if sys.flags.ignore_environment:
+        raise EnvironmentFault(
+            "python -I and python -E ignore the variables that glshim sets: leave them out"
+        )
     if startup_file() is None:
         raise EnvironmentFault(
             f"{STARTUP_FILE} is not where {sys.executable} looks at its start: install glshim "

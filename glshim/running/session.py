@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from glshim import toolkits
 from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
-from glshim.errors import GlshimError
+from glshim.errors import GlshimError, StyleError
+from glshim.files import has_elevated_rights
 from glshim.notices import say, say_fault
 from glshim.running import environment, stillness
 from glshim.styling import texts
@@ -19,6 +21,7 @@ from glshim.toolkits.moment import MOMENT
 
 if TYPE_CHECKING:
     from glshim.control.live import Controls
+    from glshim.running.shots.shooter import Shot
 
 SHOT = "GLSHIM_SHOT"
 """`glshim.running.shots.plan.VARIABLE`, which is not loaded but then."""
@@ -33,13 +36,10 @@ def begin(folder: str) -> None:
     settings, complaints = environment.read(os.environ, folder)
     for complaint in complaints:
         say(complaint)
-    shot = None
-    if SHOT in os.environ:
-        from glshim.running.shots.plan import Plan
-        from glshim.running.shots.shooter import Shot
-
-        shot = Shot(Plan.of_text(os.environ[SHOT]), MOMENT)
-        shot.prepare()
+    if (settings.capture is not None or SHOT in os.environ) and has_elevated_rights():
+        say("no frames are written in a setuid or setgid program")
+        settings = replace(settings, capture=None)
+    shot = _shot() if SHOT in os.environ and not has_elevated_rights() else None
     if settings.style is not None or settings.live is not None:
         _install(settings.style or NO_STYLE, folder, live=settings.live is not None)
     if shot is not None:
@@ -57,6 +57,19 @@ def begin(folder: str) -> None:
         FrameLimit(settings.frames).install()
     if frames.has_listeners():
         toolkits.watch(Part.FRAMES)
+
+
+def _shot() -> Shot | None:
+    from glshim.running.shots.plan import Plan
+    from glshim.running.shots.shooter import Shot
+
+    try:
+        shot = Shot(Plan.of_text(os.environ[SHOT]), MOMENT)
+    except StyleError as error:
+        say(f"{SHOT}: {error}; no shot is taken")
+        return None
+    shot.prepare()
+    return shot
 
 
 def _install(style: str, folder: str, *, live: bool) -> None:

@@ -9,6 +9,7 @@ from glshim.styling import registry
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE
+from glshim.styling.stylefiles import read_text
 from glshim.styling.texts import load_style, parse_style
 
 
@@ -32,7 +33,7 @@ def of_look(name: str) -> str:
     """A look: the first line of its file, and the text that says the same."""
     path = registry.looks()[name]
     styler = load_style(path)
-    summary = path.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ")
+    summary = read_text(path).partition("\n")[0].lstrip("# ")
     return f"{name}: {summary}\n  {styler.name}:{','.join(changed_options(styler))}"
 
 
@@ -47,7 +48,7 @@ def of_text(text: str) -> tuple[str, str]:
     name = text.partition(":")[0].strip()
     if text.endswith(FILE):
         try:
-            return load_style(Path(text)).name, Path(text).read_text(encoding="utf-8")
+            return load_style(Path(text)).name, read_text(Path(text))
         except OSError as error:
             raise StyleError(f"cannot read style file {text!r}: {error}") from error
     known = name in registry.names() or name in registry.looks()

@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 from glshim.errors import StyleError, nearest
+from glshim.files import has_elevated_rights, read_small
 from glshim.styling.former import advice
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
@@ -34,7 +35,10 @@ def split(text: str) -> tuple[str, str, str]:
 
 def watched(path: Path) -> list[Path]:
     """The file, and the shaders beside it, which it reads when it is loaded."""
-    return [path, *sorted(path.parent.glob("*.glsl"))]
+    try:
+        return [path, *sorted(path.parent.glob("*.glsl"))]
+    except (OSError, ValueError):  # not a path
+        return [path]
 
 
 def load(path: Path, name: str) -> type[Styler]:
@@ -93,8 +97,10 @@ def _bad(option: Option) -> str:
 
 
 def _run(path: Path) -> ModuleType:
+    if has_elevated_rights():
+        raise StyleError(f"{path}: Python files are not run in a setuid or setgid program")
     try:
-        source = path.read_bytes()
+        source = read_small(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error

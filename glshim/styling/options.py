@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import os
 from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from typing import Any, Literal
 
-from glshim.errors import StyleError
+from glshim.errors import StyleError, nearest, shown
 from glshim.styling.colours import format_colour, is_colour, parse_colour
 from glshim.styling.pictures import read_image
 
@@ -90,7 +89,7 @@ class Option:
             if isinstance(value, (int, float)) and not isinstance(value, bool):
                 low = -math.inf if self.low is None else self.low
                 high = math.inf if self.high is None else self.high
-                if math.isfinite(value) and low <= value <= high:
+                if low <= value <= high and _is_finite(value):
                     if self.kind == "number":
                         return float(value)
                     if value == int(value):
@@ -113,17 +112,24 @@ class Option:
         """The whole path of a picture, which can be read."""
         if not text:
             raise self._refuse(text)
-        path = os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
         try:
+            path = os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
             read_image(path)
-        except StyleError as error:
-            near = difflib.get_close_matches(text, self.choices, n=1)
+        except (StyleError, ValueError) as error:  # ValueError: not a path
+            near = nearest(text, self.choices)
             hint = f"did you mean {near[0]}?" if near else f"give {self.allowed}"
-            raise StyleError(f"{self.name}={text}: {error}; {hint}") from error
+            raise StyleError(f"{self.name}={shown(text)}: {error}; {hint}") from error
         return path
 
     def _refuse(self, value: object) -> StyleError:
-        return StyleError(f"{self.name}={value} is not allowed: give {self.allowed}")
+        return StyleError(f"{self.name}={shown(value)} is not allowed: give {self.allowed}")
+
+
+def _is_finite(value: float) -> bool:
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # a whole number that no float can hold
+        return False
 
 
 def _is_colour(value: object) -> bool:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.errors import StyleError
+from glshim.errors import StyleError, shown
+from glshim.files import require_regular
 
 _MOST = 4096
 """Pixels a side that every driver takes; larger pictures are made smaller."""
+_MOST_PIXELS = 64 << 20
+"""Pixels of a file, at most."""
+_FORMATS = ("PNG", "JPEG", "WEBP", "GIF", "BMP", "TIFF", "PPM", "TGA")
+"""Those that Pillow reads by itself: for some others it runs programs."""
 _COLOURLESS = 8
 """Difference between channels up to which a picture is grey."""
 
@@ -32,10 +36,10 @@ def read_image(path: str) -> Image:
     Raises `StyleError` when there is none, or Pillow cannot read it.
     """
     try:
-        stamp = os.stat(path)
+        stamp = require_regular(path)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
-        raise StyleError(f"there is no picture {path!r}: {reason}") from error
+        raise StyleError(f"there is no picture '{shown(path, 300)}': {reason}") from error
     return _read(path, stamp.st_mtime_ns, stamp.st_size)
 
 
@@ -44,7 +48,9 @@ def _read(path: str, _changed: int, _size: int) -> Image:
     from PIL import Image as Pillow
 
     try:
-        with Pillow.open(path) as picture:
+        with Pillow.open(path, formats=_FORMATS) as picture:
+            if picture.width * picture.height > _MOST_PIXELS:
+                raise ValueError(f"it has more than {_MOST_PIXELS >> 20} million pixels")
             shrink = max(1.0, max(picture.size) / _MOST)
             whole = picture.convert("RGBA")
             if shrink > 1.0:

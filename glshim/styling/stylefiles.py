@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from glshim.errors import StyleError, unknown
+from glshim.files import read_small
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
 
@@ -32,7 +33,20 @@ STYLE, EXTENDS = "style", "extends"
 SWITCH = "on"
 """The key of a feature's table that switches it."""
 
+MOST_PARTS = 16
+"""Parts of a dotted key, at most: TOML's readers take the square of it."""
+
 Key = tuple[str, ...]
+_TOKEN = re.compile(
+    r'''(?P<string>"""[^"\\]*(?:(?:\\.|"(?!""))[^"\\]*)*(?:"""(?:"{0,2})|\\?\Z)|'''
+    r'''"(?:\\[^\n]|[^"\\\n])*"?|'''
+    r"'''[^']*(?:'(?!'')[^']*)*(?:'''(?:'{0,2})|\Z)|'[^'\n]*'?)"
+    r"|(?P<comment>#[^\n]*)|(?P<open>[\[{])|(?P<close>[\]}])|(?P<end>\n)",
+    re.DOTALL,
+)
+"""What decides where a statement of TOML ends. A string that does not end is one, too: so no text
+takes more than one look."""
+_LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]+[ \t]*\.[ \t]*){{{MOST_PARTS}}}")
 _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)\Z", re.DOTALL)
 """How TOML's readers end what they say of a fault."""
 
@@ -99,36 +113,39 @@ class StyleFile:
         return str(self.path.parent)
 
     def line(self, key: Sequence[str]) -> int:
-        """The line from 1 of the statement that gives a key its value.
-
-        It is found by TOML's own grammar: what lies between two beginnings of the file that can
-        be read is one statement.
-        """
-        lines = self.content.split("\n")
-        begin = 0
-        for end in range(1, len(lines) + 1):
+        """The line from 1 of the statement that gives a key its value."""
+        number = 1
+        header: list[str] = []
+        for statement in _statements(self.content):
             try:
-                table = tomllib.loads("\n".join([*lines[:end], ""]))
+                table: Any = tomllib.loads(statement)
             except (ValueError, RecursionError):
-                continue
-            if _holds(table, key):
-                return begin + 1
-            begin = end
-        return len(lines)
+                table = {}
+            if statement.lstrip(" \t").startswith("["):
+                header = []
+            if _holds(_within(header, table), key):
+                return number
+            if statement.lstrip(" \t").startswith("["):
+                header = _header(table)
+            number += statement.count("\n")
+        return number
 
     def fault(self, key: Sequence[str], message: str) -> StyleFileError:
         """An error at a key; the file's own texts in it may hold line ends."""
-        return StyleFileError(f"{self.path}:{self.line(key)}: {' '.join(message.splitlines())}")
+        return StyleFileError(f"{self.path}:{self.line(key)}: {message}")
 
 
 def read_style_file(path: Path) -> StyleFile:
     """Read a file as TOML. Raises `StyleError` where it cannot be read, `StyleFileError` where it
     is not TOML."""
     try:
-        content = path.read_text(encoding="utf-8-sig")
+        content = read_text(path)
     except (OSError, ValueError) as error:  # ValueError: bytes that are not UTF-8, or not a path
         reason = getattr(error, "strerror", None) or error
         raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
+    found = _LONG_KEY.search(_TOKEN.sub(_without_strings, content))
+    if found:
+        raise StyleFileError(f"{path}: a key has more than {MOST_PARTS} parts: [feature] has one")
     try:
         return StyleFile(path, content, tomllib.loads(content))
     except (ValueError, RecursionError) as error:  # ValueError: not TOML, or a number too long
@@ -138,7 +155,47 @@ def read_style_file(path: Path) -> StyleFile:
             lines = content.rstrip().split("\n")
             line, column = found[2] or len(lines), found[3] or len(lines[-1])
             place, reason = f":{line}:{column}", found[1]
-        raise StyleFileError(f"{path}{place}: {' '.join(reason.splitlines())}") from error
+        raise StyleFileError(f"{path}{place}: {reason}") from error
+
+
+def read_text(path: Path) -> str:
+    """The text of a style file. Raises OSError, ValueError."""
+    text = read_small(path).decode("utf-8-sig")
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _without_strings(found: re.Match[str]) -> str:
+    return "_" if found["string"] else "" if found["comment"] else found[0]
+
+
+def _statements(content: str) -> Iterator[str]:
+    """The statements of a valid file in turn, each with its line ends; so are the empty lines and
+    the comments between them."""
+    depth = begin = 0
+    for found in _TOKEN.finditer(content):
+        if found["open"]:
+            depth += 1
+        elif found["close"]:
+            depth -= 1
+        elif found["end"] and depth == 0:
+            yield content[begin : found.end()]
+            begin = found.end()
+    yield content[begin:]
+
+
+def _header(table: Any) -> list[str]:
+    """The key of ``[a.b]``, which is alone in its statement."""
+    parts: list[str] = []
+    while isinstance(table, Mapping) and table:
+        ((part, table),) = table.items()
+        parts.append(part)
+    return parts
+
+
+def _within(header: Sequence[str], table: Any) -> Any:
+    for part in reversed(header):
+        table = {part: table} if table else {}
+    return table
 
 
 def find(styler: type[Styler], key: Key) -> Option:

@@ -9,12 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, UnknownNameError
+from glshim.errors import StyleError, UnknownNameError, shown
 from glshim.styling import fromfile, registry
 from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE, looks
 from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file
 
+MOST_FILES = 16
+"""Style files that extend each other, at most."""
 _ASSIGNMENT = re.compile(r"\w+\s*=")
 
 
@@ -32,8 +34,7 @@ def parse_style(
     """
     text = text.strip()
     files = [] if files is None else files
-    if not text.isprintable():
-        raise StyleError(f"{text!r} is not a style: it holds characters that are not printable")
+    _require_printable(text)
     if text.endswith(FILE):
         return load_style(Path(folder, text), files, chain)
     if fromfile.is_named_in(text):
@@ -61,7 +62,9 @@ def load_style(
     key, name = file.base
     if key == EXTENDS:
         chain = (*chain, path)
-        if any(_same(Path(file.folder, name), each) for each in chain):
+        if len(chain) > MOST_FILES:
+            raise StyleError(f"{path}: more than {MOST_FILES} style files extend each other")
+        if name.isprintable() and any(_same(Path(file.folder, name), each) for each in chain):
             raise file.fault((key,), f"extends {name}, which extends this file: a circle")
         try:
             base = parse_style(name, file.folder, files, chain)
@@ -132,6 +135,14 @@ def name_of(text: str) -> str:
     return name if fromfile.is_named_in(text) else path.strip()
 
 
+def _require_printable(text: str) -> None:
+    """Raises `StyleError`."""
+    if not text.isprintable():
+        raise StyleError(
+            f"'{shown(text)}' is not a style: it holds characters that are not printable"
+        )
+
+
 def _same(one: Path, other: Path) -> bool:
     return os.path.realpath(one) == os.path.realpath(other)
 
@@ -150,6 +161,7 @@ def _made(styler: Styler, values: Mapping[str, Any]) -> Styler:
 
 def _load(name: str, folder: str, files: list[Path]) -> type[Styler]:
     """A class by its name, or by that of a Python file and its own."""
+    _require_printable(name)
     if fromfile.is_named_in(name):
         path, word, assignments = fromfile.split(name)
         whole = Path(folder, path)

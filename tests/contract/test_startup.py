@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import time
 import venv
 import zipfile
 from collections.abc import Iterator
@@ -29,6 +30,8 @@ BESIDE_CODE = {
     if path.suffix in (".glsl", ".toml", ".html", ".css", ".gcode", ".typed")
 }
 """Files that the code reads when it runs."""
+SILENT = {"GLSHIM_KEYS": "on", "GLSHIM_SAVE": "\n" * 5000}
+"""Nothing is wrong with a folder until a picture is saved."""
 LOADED = "import sys; print(*sorted(m for m in sys.modules if m.startswith(('glshim', '_glshim'))))"
 
 
@@ -161,8 +164,8 @@ def test_a_wheel_installed_by_itself_starts_glshim(wheels: Path, tmp_path: Path)
     assert not any(name.startswith("tests") for name in names)
     for variables, expected in (({}, False), ({"GLSHIM_STYLE": "raskar"}, True)):
         done = subprocess.run(
-            [python, "-I", "-c", LOADED], env={"PATH": os.environ["PATH"], **variables},
-            capture_output=True, text=True, check=True,
+            [python, "-c", LOADED], env={"PATH": os.environ["PATH"], **variables},
+            cwd=tmp_path, capture_output=True, text=True, check=True,
         )  # fmt: skip
         assert ("glshim.running.startup" in done.stdout.split()) == expected
         assert done.stderr == ""
@@ -180,6 +183,72 @@ def test_the_archive_of_sources_holds_what_lies_beside_code(wheels: Path) -> Non
 def test_an_editable_wheel_carries_the_startup_files_too(wheels: Path) -> None:
     (wheel,) = (wheels / "editable").glob("*.whl")
     assert {"glshim.pth", "glshim.start"} <= set(zipfile.ZipFile(wheel).namelist())
+
+
+@pytest.mark.parametrize("flag", ["-I", "-E"])
+def test_python_that_ignores_the_environment_ignores_our_variables(flag: str) -> None:
+    done = subprocess.run(
+        [sys.executable, flag, "-c", f"import OpenGL.GL\n{LOADED}"],
+        env={**os.environ, "GLSHIM_STYLE": "raskar", "GLSHIM_FRAMES": "1"},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert (done.stdout.split(), done.stderr) == (["_glshim_start"], "")
+
+
+def test_commands_do_not_start_programs_that_would_ignore_the_variables() -> None:
+    command = [sys.executable, "-I", "-m", "glshim", "run", "-m", "this"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and done.stdout == ""
+    assert done.stderr.startswith("glshim: python -I and python -E ignore")
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("function", ["geteuid", "getegid"])
+def test_with_rights_of_another_no_file_is_run_and_none_is_written(
+    tmp_path: Path, function: str
+) -> None:
+    mine = tmp_path / "mine.py"
+    mine.write_text("raise SystemExit('was run')")
+    variables = {
+        "GLSHIM_STYLE": f"{mine}:Mine", "GLSHIM_CAPTURE": str(tmp_path / "a.png"),
+        "GLSHIM_SHOT": "{}",
+    }  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, "-c", f"import os; os.{function} = lambda: 12345; import OpenGL.GL"],
+        env={**os.environ, **variables}, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert done.stderr.splitlines() == [
+        "glshim: no frames are written in a setuid or setgid program",
+        f"glshim: GLSHIM_STYLE: {mine}: Python files are not run in a setuid or setgid program; "
+        "the program runs unstyled",
+    ]
+
+
+@pytest.mark.parametrize(
+    "variables",
+    [
+        {"GLSHIM_STYLE": "\n"}, {"GLSHIM_STYLE": "a\nb.toml"}, {"GLSHIM_STYLE": "x" * 100_000},
+        {"GLSHIM_STYLE": "\udcff.toml"}, {"GLSHIM_STYLE": "/dev/zero.toml"},
+        {"GLSHIM_STYLE": "é" * 300 + ".py:A"}, {"GLSHIM_FRAMES": "9" * 5000},
+        {"GLSHIM_CAPTURE": "%0999999999d.png"}, {"GLSHIM_CAPTURE": ".png"},
+        {"GLSHIM_CAPTURE": "%d%d.png"}, {"GLSHIM_CAPTURE": "é" * 200 + ".png"},
+        {"GLSHIM_KEYS": "on=" * 5000}, {"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "a,b=c\n"},
+        {"GLSHIM_KEYS": "on", "GLSHIM_SAVE": "\n" * 5000},
+        {"GLSHIM_FRAMES": "1", "GLSHIM_SHOT": "nonsense"},
+    ],
+    ids=lambda variables: ascii(variables)[:60],
+)  # fmt: skip
+def test_a_program_runs_on_under_odd_variables(variables: dict[str, str]) -> None:
+    begin = time.monotonic()
+    done = subprocess.run(
+        [sys.executable, "-c", "import OpenGL.GL; print('runs')"],
+        env={**os.environ, **variables}, capture_output=True, text=True, timeout=60, check=True,
+    )  # fmt: skip
+    assert done.stdout == "runs\n"
+    said = done.stderr.splitlines()
+    assert len(said) <= 1 and all(line.startswith("glshim: GLSHIM_") for line in said)
+    assert bool(said) == (variables not in ({"GLSHIM_STYLE": "\n"}, SILENT))
+    assert time.monotonic() - begin < 30.0
 
 
 @pytest.fixture

@@ -127,6 +127,29 @@ def test_a_command_that_makes_no_sense_ends_before_any_run(
     assert "Traceback" not in done.stderr and not list(tmp_path.iterdir())
 
 
+def test_a_class_in_a_file_beside_the_program_has_its_tile(tmp_path: Path) -> None:
+    page = (ROOT / "docs" / "writing_a_styler.md").read_text()
+    script(tmp_path, "my.py", page.split("```python\n")[1].split("```")[0])
+    done = glshim(tmp_path, "gallery", script(tmp_path, "app.py", SPINNER.replace("LOOP", "")),
+                  "--styles", "none,my.py:Glow", "--frame", "1", "-o", "o.html")
+    assert (done.returncode, done.stdout) == (0, f"{tmp_path / 'o.html'}\n"), done.stderr
+    assert len(list((tmp_path / "o_files").glob("*.png"))) == 2
+    assert "my.py:Glow" in (tmp_path / "o.html").read_text()
+
+
+def test_what_is_not_a_page_or_a_picture_is_not_overwritten(tmp_path: Path) -> None:
+    app = script(tmp_path, "app.py", SPINNER.replace("LOOP", ""))
+    once = ["gallery", app, "--styles", "none", "--frame", "1", "-o", "o.html"]
+    for name in ("o_files/none.png", "o.png", "o.html"):
+        assert glshim(tmp_path, *once).returncode == 0
+        (tmp_path / name).write_text("mine")
+        done = glshim(tmp_path, *once)
+        assert done.returncode == 2 and "remove it first" in done.stderr
+        assert done.stderr.count("glshim: ") == 1 and "Traceback" not in done.stderr
+        assert (tmp_path / name).read_text() == "mine"
+        (tmp_path / name).unlink()
+
+
 def test_ctrl_c_leaves_no_process_behind(tmp_path: Path) -> None:
     mark = f"endless_{os.getpid()}.py"
     script(tmp_path, mark, "import subprocess, sys, time\nimport OpenGL.GL\n"

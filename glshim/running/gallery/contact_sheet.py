@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
+from glshim.files import write_picture
 from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.tiles import Tile
 
@@ -42,7 +43,7 @@ def write_contact_sheet(path: Path, title: str, tiles: Sequence[Tile], columns: 
             sheet.paste(picture.resize((_WIDTH, low), Image.Resampling.LANCZOS), (x, y))
         _paragraph(pen, (x, y + height + 8, _WIDTH), tile.name, _INK, most=1, size=_NAME)
         _paragraph(pen, (x, y + height + 34, _WIDTH), tile.summary, _DIM, most=2)
-    sheet.save(path, optimize=True)
+    write_picture(path, sheet, optimize=True)
 
 
 def _paragraph(

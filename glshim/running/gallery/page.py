@@ -12,6 +12,7 @@ from urllib.parse import quote
 
 from PIL import Image
 
+from glshim.files import write_html
 from glshim.running.gallery.tiles import Tile
 
 
@@ -67,4 +68,4 @@ def _write(path: Path, template: str, **values: str) -> None:
     folder = files(__package__)
     look = (folder / "look.css").read_text("utf-8")
     text = (folder / template).read_text("utf-8")
-    path.write_text(Template(text).substitute(values, look=look), encoding="utf-8")
+    write_html(path, Template(text).substitute(values, look=look))

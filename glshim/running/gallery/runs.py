@@ -15,6 +15,8 @@ from pathlib import Path
 from types import FrameType
 from typing import IO
 
+from glshim.errors import EnvironmentFault
+from glshim.files import picture_target
 from glshim.running import environment, launch
 from glshim.running.headless import virtual_screen
 from glshim.running.subjects import surroundings
@@ -89,7 +91,10 @@ class _Child:
         self._ends = time.monotonic() + timeout
         self._timeout = timeout
         self._log: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115 - closed in look and kill
-        run.picture.unlink(missing_ok=True)
+        try:
+            picture_target(run.picture).unlink(missing_ok=True)
+        except OSError as error:
+            raise EnvironmentFault(f"cannot write {run.picture}: {error}") from error
         self._process = subprocess.Popen(
             program, env={**surroundings(screen), **run.variables}, stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=self._log, start_new_session=True,

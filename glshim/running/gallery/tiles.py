@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from glshim.errors import StyleError
 from glshim.running.gallery.runs import Run
 from glshim.styling import descriptions
 
@@ -33,7 +34,10 @@ def tile(ended: Run) -> Tile:
         name, summary, details = "plain", "The program's own picture.", ""
     else:
         name = ended.name
-        summary, details = descriptions.of_text(name)
+        try:
+            summary, details = descriptions.of_text(name)
+        except StyleError as error:  # its file was changed since the runs began
+            summary, details = str(error), ""
     return Tile(name, summary, details, ended.picture, ended.fault, ended.notes)
 
 

@@ -7,7 +7,7 @@ import re
 from dataclasses import asdict, dataclass
 from math import ceil
 
-from glshim.errors import StyleError
+from glshim.errors import StyleError, shown
 
 VARIABLE = "GLSHIM_SHOT"
 """Set by us for programs that we start; never by people."""
@@ -41,11 +41,17 @@ class Plan:
 
     @classmethod
     def of_text(cls, text: str) -> Plan:
-        """What `as_text` gave."""
-        values = json.loads(text)
-        if values["size"] is not None:
-            values["size"] = tuple(values["size"])
-        return cls(**values)
+        """What `as_text` gave. Raises `StyleError` for anything else."""
+        try:
+            values = json.loads(text)
+            size = values.pop("size")
+            plan = cls(**values, size=None if size is None else (int(size[0]), int(size[1])))
+            whole = plan.output.lower().endswith(".png") and min(plan.frame, plan.tile) > 0
+            if whole and plan.scale > 0 and (plan.size is None or min(plan.size) > 0):
+                return plan
+        except (ValueError, TypeError, KeyError, AttributeError, IndexError, RecursionError):
+            pass
+        raise StyleError(f"'{shown(text)}' is not a plan of a shot: glshim shot makes one")
 
     def sheet_for(self, window: Size) -> Size:
         """Pixels of the program's whole frame: the greatest of the window's shape in the size asked

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
@@ -12,6 +13,7 @@ from PIL import Image
 from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
+from glshim.files import write_picture
 from glshim.notices import say
 from glshim.outputs.gl.frame.grab import grab
 from glshim.outputs.output import WINDOW, Destination
@@ -203,7 +205,7 @@ class Shot:
             sheet.paste(picture, ((wanted[0] - picture.width) // 2,
                                   (wanted[1] - picture.height) // 2))  # fmt: skip
             picture = sheet
-        picture.save(self.plan.output)
+        write_picture(Path(self.plan.output), picture)
         self._close()
         frames.end_program()
 

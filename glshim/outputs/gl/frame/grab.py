@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from glshim.errors import shown
+from glshim.files import picture_target, write_picture
 from glshim.notices import say
 from glshim.spec.ask import integer, integers, real
 from glshim.spec.constants import (
@@ -107,15 +109,17 @@ class FrameWriter:
         path = Path(self._numbered())
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            grab(size, self._framebuffer()).save(path)
+            picture_target(path)  # known before any work
+            write_picture(path, grab(size, self._framebuffer()))
         except OSError as error:
             self._usable = False
-            say(f"cannot write {path}: {error.strerror or error}; no more frames are written")
+            reason = error.strerror or error
+            say(f"cannot write {shown(path, 500)}: {reason}; no more frames are written")
 
     def _numbered(self) -> str:
         # No ``%`` operator: a folder's name may hold another percent sign.
         return re.sub(
-            "%(0?[0-9]*)d", lambda found: format(self._number, f"{found[1]}d"), self._pattern
+            "%(0?[0-9]{0,2})d", lambda found: format(self._number, f"{found[1]}d"), self._pattern
         )
 
 

@@ -1,0 +1,139 @@
+"""The files that glshim reads and writes: what it takes as one to read, and when it replaces one.
+
+Nothing here waits, follows a link out of its folder, or overwrites what is not a picture of
+before; see ``docs/security.md``.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+from typing import TYPE_CHECKING, BinaryIO
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from PIL.Image import Image
+
+MOST_BYTES = 256 << 10
+"""Size of a style file, at most."""
+PICTURES = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff")
+"""How files begin that a picture may replace: PNG and JPEG."""
+PAGES = (b"<!doctype html",)
+"""How files begin that a page may replace."""
+_KINDS = (
+    (stat.S_ISDIR, "a directory"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
+    (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"),
+)  # fmt: skip
+_numbers = count(1)
+
+
+def has_elevated_rights() -> bool:
+    """Whether the process has rights that its user does not have (setuid, setgid)."""
+    if os.name != "posix":
+        return False
+    return os.getuid() != os.geteuid() or os.getgid() != os.getegid()
+
+
+def read_small(path: Path, most: int = MOST_BYTES) -> bytes:
+    """The bytes of a regular file that is not larger than ``most``. Never waits for a FIFO or a
+    device. Raises OSError that says so, ValueError where the path cannot be one."""
+    descriptor = _open_regular(path)
+    with os.fdopen(descriptor, "rb") as file:
+        content = file.read(most + 1)
+    if len(content) > most:
+        raise OSError(f"it is larger than {most >> 10} KiB")
+    return content
+
+
+def require_regular(path: str | Path) -> os.stat_result:
+    """What a regular file is like. Raises OSError for anything else."""
+    found = os.stat(path)
+    _require_regular(found)
+    return found
+
+
+def picture_target(path: Path, beginnings: tuple[bytes, ...] = PICTURES) -> Path:
+    """The file that writing to a path makes or replaces: the path, or for a symbolic link what it
+    leads to in the same folder. Raises OSError where it leads elsewhere, or where something stands
+    there that is neither empty nor begins as ``beginnings`` say."""
+    target = path
+    if path.is_symlink():
+        target = path.resolve()
+        if target.parent != path.parent.resolve():
+            raise OSError(f"it is a symbolic link to {target}, out of its folder")
+    try:
+        descriptor = _open_regular(target, os.O_NOFOLLOW if os.name == "posix" else 0)
+    except FileNotFoundError:
+        return target
+    with os.fdopen(descriptor, "rb") as file:
+        begin = file.read(max(map(len, beginnings))).lower()
+    if begin and not any(begin.startswith(each.lower()) for each in beginnings):
+        raise OSError("the file there is not one that glshim could have written: remove it first")
+    return target
+
+
+def write_picture(path: Path, picture: Image, *, optimize: bool = False) -> None:
+    """Write a PNG, in place of a picture of before (see `picture_target`); the folder has the old
+    file or the whole new one. Raises OSError."""
+    target = picture_target(path)
+    _replace(target, lambda file: picture.save(file, "PNG", optimize=optimize))
+
+
+def write_html(path: Path, text: str) -> None:
+    """Write an HTML page, in place of one of before. Raises OSError."""
+    content = text.encode("utf-8")
+    _replace(picture_target(path, PAGES), lambda file: file.write(content))
+
+
+def add_picture(path: Path, picture: Image) -> None:
+    """Write a PNG to a new file. Raises FileExistsError where anything is there already, OSError
+    where it cannot be written."""
+    path.open("xb").close()  # the name is ours from here on; a link is not followed
+    try:
+        _replace(path, lambda file: picture.save(file, "PNG"))
+    except BaseException:
+        with suppress(OSError):
+            path.unlink()
+        raise
+
+
+def _replace(target: Path, write: Callable[[BinaryIO], object]) -> None:
+    """Write a file beside the target and put it in its place."""
+    # Not `tempfile`: its files are for their owner alone, and it draws from the program's luck.
+    beside = target.with_name(f".glshim-{os.getpid()}-{next(_numbers)}.tmp")
+    with suppress(FileNotFoundError):
+        beside.unlink()  # of a process of that number that died
+    try:
+        with beside.open("xb") as file:
+            write(file)
+        with suppress(OSError):  # the mode of the file that it replaces
+            beside.chmod(stat.S_IMODE(os.stat(target).st_mode))
+        os.replace(beside, target)
+    except BaseException:
+        with suppress(OSError):
+            beside.unlink()
+        raise
+
+
+def _open_regular(path: Path, flags: int = 0) -> int:
+    """A descriptor for reading. Raises OSError."""
+    # Looked at before it is opened: opening a device can do something.
+    _require_regular(os.lstat(path) if flags else os.stat(path))
+    flags |= getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+    descriptor = os.open(path, os.O_RDONLY | flags)
+    try:
+        _require_regular(os.fstat(descriptor))  # it may be another one by now
+    except BaseException:
+        os.close(descriptor)
+        raise
+    return descriptor
+
+
+def _require_regular(found: os.stat_result) -> None:
+    if not stat.S_ISREG(found.st_mode):
+        kind = next((name for test, name in _KINDS if test(found.st_mode)), "something else")
+        raise OSError(f"it is {kind}, not a regular file")
