@@ -62,8 +62,8 @@ def picture_target(path: Path, beginnings: tuple[bytes, ...] = PICTURES) -> Path
     there that is neither empty nor begins as ``beginnings`` say."""
     target = path
     if path.is_symlink():
-        target = path.resolve()
-        if target.parent != path.parent.resolve():
+        target = Path(os.path.realpath(path))
+        if target.parent != Path(os.path.realpath(path.parent)):
             raise OSError(f"it is a symbolic link to {target}, out of its folder")
     try:
         descriptor = _open_regular(target, os.O_NOFOLLOW if os.name == "posix" else 0)

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
+from glshim.files import PAGES, PICTURES, picture_target
 from glshim.notices import say
 from glshim.running import subjects
 from glshim.running.gallery.runs import Run, run_all, styled
@@ -61,7 +62,12 @@ class Gallery(Command):
         page = Path(asked.output).absolute()
         if page.suffix.lower() not in (".html", ".htm"):
             raise EnvironmentFault(f"{asked.output!r} does not name a page: it ends in .html")
-        folder = page.with_name(page.stem + "_files")
+        folder, sheet = page.with_name(page.stem + "_files"), page.with_suffix(".png")
+        for path, beginnings in ((page, PAGES), (sheet, PICTURES)):
+            try:  # now, not after all runs
+                picture_target(path, beginnings)
+            except OSError as error:
+                raise EnvironmentFault(f"cannot write {path}: {error}") from error
         try:
             folder.mkdir(parents=True, exist_ok=True)
             runs = [
@@ -78,7 +84,6 @@ class Gallery(Command):
                 ended = run_all(subject.command, runs, asked.timeout, done)
             tiles = [tile(run) for run in ended]
             tiles += [Tile(text, "", "", folder / "none", why) for text, why in unusable.items()]
-            sheet = page.with_suffix(".png")
             write_contact_sheet(sheet, subject.title, tiles, asked.columns)
             failed = [each for each in tiles if each.fault]
             if asked.compare and not failed:

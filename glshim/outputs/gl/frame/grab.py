@@ -118,9 +118,10 @@ class FrameWriter:
 
     def _numbered(self) -> str:
         # No ``%`` operator: a folder's name may hold another percent sign.
-        return re.sub(
-            "%(0?[0-9]{0,2})d", lambda found: format(self._number, f"{found[1]}d"), self._pattern
-        )
+        found = re.fullmatch("(.*)%(0?[0-9]{0,2})d(.*)", self._pattern, re.DOTALL)
+        if found is None:
+            return self._pattern
+        return f"{found[1]}{self._number:{found[2]}d}{found[3]}"
 
 
 @contextmanager
