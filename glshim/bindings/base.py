@@ -55,8 +55,12 @@ class Watcher(PrimitiveSink, ShapeSink, Protocol):
     def after(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
     ) -> None:
-        """After it, also when a GL error was found, which may be an older one; ``call(*args)``
-        would make it again, past every hook."""
+        """After it; ``call(*args)`` would make it again, past every hook."""
+
+    def failed(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> None:
+        """Instead of :meth:`after`: a GL error was found, which may be an older one."""
 
     def refused(self) -> None:
         """Instead of :meth:`after`: the arguments were refused, nothing was called."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 
+from glshim.spec.constants import GL_VERTEX_ATTRIB_ARRAY_POINTER
 from glshim.spec.driver import gl
 
 
@@ -72,3 +73,24 @@ def of_light(light: int, name: int) -> tuple[float, float, float, float]:
     values = (ctypes.c_float * 4)()
     gl.glGetLightfv(light, name, values)
     return values[0], values[1], values[2], values[3]
+
+
+def of_attribute(position: int, name: int) -> int:
+    """One integer of a generic vertex attribute."""
+    value = ctypes.c_int(0)
+    gl.glGetVertexAttribiv(position, name, ctypes.byref(value))
+    return value.value
+
+
+def pointer_of_attribute(position: int) -> int:
+    """The address, or the offset in a buffer, of a generic vertex attribute; 0 for none."""
+    address = ctypes.c_void_p()
+    gl.glGetVertexAttribPointerv(position, GL_VERTEX_ATTRIB_ARRAY_POINTER, ctypes.byref(address))
+    return address.value or 0
+
+
+def of_binding(position: int, name: int) -> int:
+    """One integer of a state that has several, by their positions."""
+    value = ctypes.c_int(0)
+    gl.glGetIntegeri_v(name, position, ctypes.byref(value))
+    return value.value

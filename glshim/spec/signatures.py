@@ -88,6 +88,7 @@ SIGNATURES: dict[str, str] = {
     "glGetDoublev": "up",
     "glGetError": ">u",
     "glGetFloatv": "up",
+    "glGetIntegeri_v": "uup",
     "glGetIntegerv": "up",
     "glGetLightfv": "uup",
     "glGetMapfv": "uup",

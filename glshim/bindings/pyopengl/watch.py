@@ -144,7 +144,7 @@ class Watch:
                 try:
                     result = real(*args)
                 except GLError:
-                    watcher.after(role, name, args, real)
+                    watcher.failed(role, name, args, real)
                     raise
                 except BaseException:
                     watcher.refused()

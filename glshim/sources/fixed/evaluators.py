@@ -6,6 +6,7 @@ import ctypes
 from collections.abc import Hashable
 from typing import Any
 
+from glshim.sources.arguments import signed
 from glshim.spec.ask import integers, is_enabled, reals
 from glshim.spec.constants import GL_COEFF, GL_DOMAIN, GL_ORDER
 from glshim.spec.draws import EVALUATOR_MESHES
@@ -15,7 +16,7 @@ from glshim.spec.driver import gl
 def evaluator_key(name: str, args: tuple[Any, ...]) -> Hashable:
     """Equal keys, equal polygons of an EVALUATOR_MESH call."""
     mesh = EVALUATOR_MESHES[name]
-    parts: list[Hashable] = [name, tuple(int(a) for a in args)]
+    parts: list[Hashable] = [name, tuple(map(signed, args))]
     for target, size in mesh.maps:
         if not is_enabled(target):
             continue

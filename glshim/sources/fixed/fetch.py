@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from itertools import count
 from typing import Any
@@ -14,56 +14,41 @@ from numpy.typing import NDArray
 from glshim.model.batch import PolygonBatch, Wanted, join
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
+from glshim.sources.arguments import address_of, number, signed, unsigned
 from glshim.sources.fixed import normals
-from glshim.sources.fixed.immediate import POLYGON_MODES, polygon_corners
-from glshim.sources.fixed.pointers import address_of
-from glshim.spec.ask import integer, is_enabled, of_buffer, pointer_of
+from glshim.sources.fixed.arrays import DTYPES, Array, Unfetchable, normal_array, vertex_array
+from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners
+from glshim.spec import memory
+from glshim.spec.ask import integer, of_buffer
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
     GL_ARRAY_BUFFER_BINDING,
     GL_BUFFER_MAPPED,
     GL_BUFFER_SIZE,
-    GL_DOUBLE,
     GL_ELEMENT_ARRAY_BUFFER,
     GL_ELEMENT_ARRAY_BUFFER_BINDING,
-    GL_FLOAT,
-    GL_HALF_FLOAT,
-    GL_INT,
-    GL_NORMAL_ARRAY,
-    GL_NORMAL_ARRAY_BUFFER_BINDING,
-    GL_NORMAL_ARRAY_POINTER,
-    GL_NORMAL_ARRAY_STRIDE,
-    GL_NORMAL_ARRAY_TYPE,
-    GL_SHORT,
     GL_UNSIGNED_BYTE,
     GL_UNSIGNED_INT,
     GL_UNSIGNED_SHORT,
-    GL_VERTEX_ARRAY,
-    GL_VERTEX_ARRAY_BUFFER_BINDING,
-    GL_VERTEX_ARRAY_POINTER,
-    GL_VERTEX_ARRAY_SIZE,
-    GL_VERTEX_ARRAY_STRIDE,
-    GL_VERTEX_ARRAY_TYPE,
 )
 from glshim.spec.context import restarts_primitives
 from glshim.spec.draws import Signature, signature_of
 from glshim.spec.driver import current_context, gl
 from glshim.spec.roles import Role
 
-_DTYPES = {
-    GL_SHORT: np.int16, GL_INT: np.int32, GL_FLOAT: np.float32, GL_DOUBLE: np.float64,
-    GL_HALF_FLOAT: np.float16,
-}  # fmt: skip
 _INDICES = {GL_UNSIGNED_BYTE: np.uint8, GL_UNSIGNED_SHORT: np.uint16, GL_UNSIGNED_INT: np.uint32}
 _BINDINGS = {
     GL_ARRAY_BUFFER: GL_ARRAY_BUFFER_BINDING,
     GL_ELEMENT_ARRAY_BUFFER: GL_ELEMENT_ARRAY_BUFFER_BINDING,
 }
-
-
-class Unfetchable(Exception):
-    """The positions of this draw cannot be had; the text says why."""
-
+_UNSIGNED = frozenset(("mode", "type", "start", "end"))
+_WRAP = 0xFFFFFFFF
+"""An index and what is added to it make 32 bits."""
+_SPAN = 1 << 26
+"""Bytes between the first and the last vertex of a draw that are read at once, however few of them
+it uses."""
+_MOST_DRAWS = 1 << 20
+"""Of one call."""
 
 _EPOCHS = count()
 """No two fetchers share one: what was derived from keys outlives a style, and buffers may have been
@@ -71,12 +56,13 @@ written while none was installed."""
 
 
 @dataclass(frozen=True, slots=True)
-class _Pointer:
-    size: int
-    type: int
-    stride: int
-    buffer: int
-    address: int
+class _Run:
+    """Vertices of whole polygons, in order."""
+
+    first: int
+    count: int
+    elements: NDArray[np.int64] | None = None
+    """Their numbers, instead."""
 
 
 class VertexFetch:
@@ -90,8 +76,8 @@ class VertexFetch:
     def buffer_written(self, role: Role, args: tuple[Any, ...]) -> None:
         """A call of BUFFER_WRITES: the buffer's content has a new version; that of all buffers,
         where it cannot be told which."""
-        first = args[0] if args and isinstance(args[0], int) else None
-        if first is not None and role is Role.NAMED_BUFFER_WRITE:
+        first = number(args, 0)
+        if role is Role.NAMED_BUFFER_WRITE and first > 0:
             buffer = first
         elif first in _BINDINGS and role is not Role.BUFFERS_WRITE:
             buffer = integer(_BINDINGS[first])
@@ -104,18 +90,17 @@ class VertexFetch:
         """Polygons of an ARRAY_DRAW call, with what is wanted as far as it is in an array; None
         when it draws none. Raises Unfetchable."""
         signature = signature_of(name)
-        values = dict(zip(signature.parameters, args, strict=False))
-        mode = int(values["mode"])
-        if mode not in POLYGON_MODES:
+        values = _values(signature, args)
+        mode = values["mode"]
+        if mode not in POLYGON_MODES or _is_refused(values):
             return None
-        pointer = _vertex_pointer()
-        normal = _normal_pointer() if wanted.normals else None
+        pointer = vertex_array()
+        normal = normal_array() if wanted.normals else None
         key = self._key(signature, values, pointer, normal)
         kept = self._kept.get(key) if key is not None else None
         if kept is not None:
             return kept
-        runs = _index_runs(signature, values)
-        parts = [self._part(mode, pointer, normal, indices) for indices in runs]
+        parts = [_part(mode, pointer, normal, run) for run in _runs(mode, signature, values)]
         batch = join([p for p in parts if len(p.corners)], key)
         if key is not None:
             given = 0 if batch.normals is None else batch.normals.nbytes
@@ -128,12 +113,12 @@ class VertexFetch:
 
     def element(self, index: int) -> tuple[float, float, float]:
         """Object-space position of one vertex of the current arrays (glArrayElement)."""
-        x, y, z = _positions(_vertex_pointer(), index, 1)[0]
+        x, y, z = _positions(vertex_array(), index, 1)[0]
         return float(x), float(y), float(z)
 
     def element_normal(self, index: int) -> bytes:
         """The record of its normal; empty if none is in an array."""
-        normal = _normal_pointer()
+        normal = normal_array()
         return b"" if normal is None else normals.record(_normals(normal, index, 1)[0])
 
     def _version(self, buffer: int) -> tuple[int, int, int]:
@@ -143,110 +128,111 @@ class VertexFetch:
         self,
         signature: Signature,
         values: dict[str, Any],
-        pointer: _Pointer,
-        normal: _Pointer | None,
+        pointer: Array,
+        normal: Array | None,
     ) -> Hashable | None:
         if not pointer.buffer or signature.multiple or (normal and not normal.buffer):
             return None
-        scalars = tuple(int(values[p]) for p in signature.parameters if p not in ("indices",))
+        scalars = tuple(values[p] for p in signature.parameters if p != "indices")
         indexed: Hashable = None
         if "indices" in values:
             element_buffer = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING)
             if not element_buffer:
                 return None
-            indexed = (*self._version(element_buffer), address_of(values["indices"]))
+            indexed = (*self._version(element_buffer), values["indices"])
         version = self._version(pointer.buffer)
         with_normals = (normal, self._version(normal.buffer)) if normal else None
         return ("arrays", current_context(), scalars, pointer, version, indexed, with_normals)
 
-    def _part(
-        self,
-        mode: int,
-        pointer: _Pointer,
-        normal: _Pointer | None,
-        indices: tuple[int, NDArray[np.int64] | None, int],
-    ) -> PolygonBatch:
-        first, elements, count = indices
-        if elements is None:
-            positions = _positions(pointer, first, count)
-            corners, starts = polygon_corners(mode, count)
-        else:
-            low = int(elements.min()) if len(elements) else 0
-            high = int(elements.max()) if len(elements) else -1
-            if low < 0:
-                raise Unfetchable("an index is negative")
-            first, count = low, high - low + 1
-            positions = _positions(pointer, first, count)
-            corners, starts = polygon_corners(mode, len(elements))
-            corners = (elements - low).astype(np.int32)[corners]
-        given = None if normal is None else _normals(normal, first, count)[corners]
-        boundary = np.ones(len(corners), np.bool_)
-        return PolygonBatch(positions, corners, starts, boundary, normals=given)
+
+def _values(signature: Signature, args: Sequence[Any]) -> dict[str, Any]:
+    """The arguments by their names; integers as C has them, arrays as they are given."""
+    arrays = ("first", "count", "indices", "basevertex") if signature.multiple else ("indices",)
+    values = dict(zip(signature.parameters, args, strict=False))
+    try:
+        for name in signature.parameters:
+            if name not in arrays:
+                values[name] = (unsigned if name in _UNSIGNED else signed)(values[name])
+        if "indices" in values and not signature.multiple:
+            values["indices"] = address_of(values["indices"])
+    except (KeyError, TypeError) as error:
+        raise Unfetchable("it cannot be told what its arguments are") from error
+    return values
 
 
-def _index_runs(
-    signature: Signature, values: dict[str, Any]
-) -> list[tuple[int, NDArray[np.int64] | None, int]]:
-    """(first, indices or None, count) of each run that the call draws."""
+def _is_refused(values: dict[str, Any]) -> bool:
+    """Whether GL makes an error of the call, or draws nothing: then it reads nothing, either."""
+    alone = "drawcount" not in values
+    return (
+        (alone and (values["count"] <= 0 or values.get("first", 0) < 0))
+        or values.get("drawcount", 1) <= 0
+        or values.get("end", 0) < values.get("start", 0)
+        or values.get("type", GL_UNSIGNED_INT) not in _INDICES
+    )
+
+
+def _runs(mode: int, signature: Signature, values: dict[str, Any]) -> list[_Run]:
+    """What the call draws, without vertices that are left over: GL need not read those."""
     if not signature.multiple:
+        whole = complete(mode, values["count"])
         if "indices" not in values:
-            return [(int(values["first"]), None, int(values["count"]))]
-        base = int(values.get("basevertex", 0))
-        indices = _indices(values["indices"], int(values["type"]), int(values["count"]))
-        return [(0, indices + base, 0)]
-    draws = int(values["drawcount"])
+            return [_Run(values["first"], whole)]
+        elements = _indices(values["indices"], values["type"], whole)
+        return [_Run(0, whole, elements + values.get("basevertex", 0) & _WRAP)]
+    draws = values["drawcount"]
     counts = _integers_at(values["count"], draws)
+    if min(counts) < 0:  # then nothing is drawn at all
+        return []
+    wholes = [complete(mode, each) for each in counts]
     if "first" in values:
-        firsts = _integers_at(values["first"], draws)
-        return [(int(f), None, int(c)) for f, c in zip(firsts, counts, strict=True)]
+        return list(map(_Run, _integers_at(values["first"], draws), wholes))
     pointers = _pointers_at(values["indices"], draws)
     bases = _integers_at(values["basevertex"], draws) if "basevertex" in values else [0] * draws
     return [
-        (0, _indices(p, int(values["type"]), int(c)) + int(b), 0)
-        for p, c, b in zip(pointers, counts, bases, strict=True)
+        _Run(0, whole, _indices(pointer, values["type"], whole) + base & _WRAP)
+        for pointer, whole, base in zip(pointers, wholes, bases, strict=True)
     ]
 
 
-def _indices(value: Any, type_: int, count: int) -> NDArray[np.int64]:
-    if type_ not in _INDICES:
-        raise Unfetchable(f"index type {type_:#x}")
+def _indices(address: int, type_: int, count: int) -> NDArray[np.int64]:
     if restarts_primitives():
         raise Unfetchable("primitive restart is on")
     dtype = np.dtype(_INDICES[type_])
     bound = integer(GL_ELEMENT_ARRAY_BUFFER_BINDING)
-    raw = _bytes(bound, GL_ELEMENT_ARRAY_BUFFER, address_of(value), count * dtype.itemsize)
+    raw = _bytes(bound, GL_ELEMENT_ARRAY_BUFFER, address, count * dtype.itemsize)
     return np.frombuffer(raw, dtype).astype(np.int64)
 
 
-def _vertex_pointer() -> _Pointer:
-    if not is_enabled(GL_VERTEX_ARRAY):
-        raise Unfetchable("positions are not in the fixed-function vertex array")
-    pointer = _Pointer(
-        integer(GL_VERTEX_ARRAY_SIZE),
-        integer(GL_VERTEX_ARRAY_TYPE),
-        integer(GL_VERTEX_ARRAY_STRIDE),
-        integer(GL_VERTEX_ARRAY_BUFFER_BINDING),
-        pointer_of(GL_VERTEX_ARRAY_POINTER),
-    )
-    if pointer.type not in _DTYPES:
-        raise Unfetchable(f"vertex type {pointer.type:#x}")
-    return pointer
+def _part(mode: int, pointer: Array, normal: Array | None, run: _Run) -> PolygonBatch:
+    """The polygons of a run."""
+    corners, starts = polygon_corners(mode, run.count)
+    elements, first, count = run.elements, run.first, run.count
+    if elements is not None and len(elements):
+        low, high = int(elements.min()), int(elements.max())
+        if (high - low) * max(pointer.stride, 1) > max(_SPAN, 64 * len(elements)):
+            return _scattered(mode, pointer, normal, elements)
+        first, count = low, high - low + 1
+        corners = (elements - low).astype(np.int32)[corners]
+    positions = _positions(pointer, first, count)
+    given = None if normal is None else _normals(normal, first, count)[corners]
+    return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_), normals=given)
 
 
-def _normal_pointer() -> _Pointer | None:
-    """The normal array, None when it is off."""
-    if not is_enabled(GL_NORMAL_ARRAY):
-        return None
-    return _Pointer(
-        3,
-        integer(GL_NORMAL_ARRAY_TYPE),
-        integer(GL_NORMAL_ARRAY_STRIDE),
-        integer(GL_NORMAL_ARRAY_BUFFER_BINDING),
-        pointer_of(GL_NORMAL_ARRAY_POINTER),
-    )
+def _scattered(
+    mode: int, pointer: Array, normal: Array | None, elements: NDArray[np.int64]
+) -> PolygonBatch:
+    """The polygons of vertices that are far apart: each is read by itself."""
+    used, numbers = np.unique(elements, return_inverse=True)
+    corners, starts = polygon_corners(mode, len(elements))
+    corners = numbers.reshape(-1).astype(np.int32)[corners]
+    positions = np.concatenate([_positions(pointer, int(each), 1) for each in used])
+    given = None
+    if normal is not None:
+        given = np.concatenate([_normals(normal, int(each), 1) for each in used])[corners]
+    return PolygonBatch(positions, corners, starts, np.ones(len(corners), np.bool_), normals=given)
 
 
-def _normals(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
+def _normals(pointer: Array, first: int, count: int) -> NDArray[np.float32]:
     """Normals (count, 3), zero where they cannot be had."""
     dtype = normals.DTYPES.get(pointer.type)
     try:
@@ -258,9 +244,9 @@ def _normals(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
         return np.zeros((max(count, 0), 3), np.float32)
 
 
-def _positions(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]:
+def _positions(pointer: Array, first: int, count: int) -> NDArray[np.float32]:
     """Positions (count, 3) float32 after division by w."""
-    strided = _strided(pointer, np.dtype(_DTYPES[pointer.type]), first, count)
+    strided = _strided(pointer, np.dtype(DTYPES[pointer.type]), first, count)
     positions = np.zeros((len(strided), 3), np.float32)
     positions[:, : min(pointer.size, 3)] = strided[:, :3]
     if pointer.size == 4:
@@ -270,7 +256,7 @@ def _positions(pointer: _Pointer, first: int, count: int) -> NDArray[np.float32]
 
 
 def _strided(
-    pointer: _Pointer, dtype: np.dtype[Any], first: int, count: int
+    pointer: Array, dtype: np.dtype[Any], first: int, count: int
 ) -> NDArray[Any]:
     """(count, size) what a client array holds."""
     width = dtype.itemsize * pointer.size
@@ -286,18 +272,18 @@ def _strided(
     return np.ndarray((count, pointer.size), dtype, raw, 0, (stride, dtype.itemsize))
 
 
-def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:
+def _bytes(buffer: int, target: int, address: int, size: int) -> bytes | memory.Octets:
     """Bytes of a buffer object, or of the app's memory when no buffer is bound."""
     if size <= 0:
         return b""
     if not buffer:
-        return ctypes.string_at(address, size)
+        return _memory(address, size)
     bound = integer(_BINDINGS[target])
     gl.glBindBuffer(target, buffer)
     try:
         if of_buffer(target, GL_BUFFER_MAPPED):
             raise Unfetchable("the buffer is mapped while it is drawn from")
-        if address + size > of_buffer(target, GL_BUFFER_SIZE):
+        if address < 0 or address + size > of_buffer(target, GL_BUFFER_SIZE):
             raise Unfetchable("the draw reads past the end of its buffer")
         data = ctypes.create_string_buffer(size)
         gl.glGetBufferSubData(target, address, size, data)
@@ -306,10 +292,34 @@ def _bytes(buffer: int, target: int, address: int, size: int) -> bytes:
         gl.glBindBuffer(target, bound)
 
 
+def _memory(address: int, size: int) -> memory.Octets:
+    found = memory.read(address, size)
+    if found is None:
+        raise Unfetchable("the memory that it is drawn from cannot be read")
+    return found
+
+
 def _integers_at(value: Any, count: int) -> list[int]:
-    return list((ctypes.c_int * count).from_address(address_of(value)))
+    """The GLints or GLsizeis of a call that draws several times."""
+    return _listed(value, count, np.dtype(np.int32), signed)
 
 
 def _pointers_at(value: Any, count: int) -> list[int]:
-    address = ctypes.cast(value, ctypes.c_void_p).value if not isinstance(value, int) else value
-    return [p or 0 for p in (ctypes.c_void_p * count).from_address(int(address or 0))]
+    """Its addresses or offsets."""
+    return _listed(value, count, np.dtype(np.uintp), address_of)
+
+
+def _listed(
+    value: Any, count: int, dtype: np.dtype[Any], convert: Callable[[Any], int]
+) -> list[int]:
+    """Numbers behind a pointer, or given in a list."""
+    if count > _MOST_DRAWS:
+        raise Unfetchable(f"it draws {count} times")
+    try:
+        if not isinstance(value, (list, tuple)):
+            return [int(n) for n in _memory(address_of(value), count * dtype.itemsize).view(dtype)]
+        if len(value) >= count:
+            return [convert(each) for each in value[:count]]
+    except TypeError as error:
+        raise Unfetchable("it cannot be told what its arguments are") from error
+    raise Unfetchable("an argument has fewer numbers than draws")

@@ -75,6 +75,18 @@ def _regions(
     return np.where(same, first, 0).astype(np.uint32)
 
 
+def complete(mode: int, count: int) -> int:
+    """How many of ``count`` vertices are of whole polygons, in a mode that makes some; the rest is
+    dropped."""
+    if mode == GL_TRIANGLES:
+        return max(count, 0) // 3 * 3
+    if mode == GL_QUADS:
+        return max(count, 0) // 4 * 4
+    if mode == GL_QUAD_STRIP:
+        return count // 2 * 2 if count >= 4 else 0
+    return count if count >= 3 else 0
+
+
 def polygon_corners(mode: int, count: int) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Corners (C,) and starts (P + 1,) of the polygons that ``count`` vertices make in a mode.
 
@@ -193,7 +205,9 @@ def transformed(batch: PolygonBatch, matrix: NDArray[np.float64]) -> PolygonBatc
     if given is not None:
         given = normals.transformed(given, linear)
     moved = replace(batch, positions=positions, normals=given, key=None)
-    return reversed_winding(moved) if np.linalg.det(linear) < 0 else moved
+    with np.errstate(invalid="ignore"):
+        mirrored = np.linalg.det(linear) < 0
+    return reversed_winding(moved) if mirrored else moved
 
 
 def scaled(batch: PolygonBatch, factor: float, key: Hashable | None) -> PolygonBatch:

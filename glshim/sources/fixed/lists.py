@@ -8,7 +8,6 @@ the function, not on the list: Mesa 22.3 crashes when some lists are called in f
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
@@ -18,11 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, join
+from glshim.notices import say_once
+from glshim.sources import arguments
+from glshim.sources.arguments import address_of, number
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, transformed
 from glshim.sources.fixed.matrices import matrix_of
-from glshim.sources.fixed.pointers import address_of, numbers_at
+from glshim.sources.fixed.pointers import numbers_at
 from glshim.sources.source import Call, Primitive
+from glshim.spec import memory
 from glshim.spec.constants import (
     GL_BYTE,
     GL_CURRENT_BIT,
@@ -41,6 +44,8 @@ from glshim.spec.roles import Role, role_of
 from glshim.spec.shapes import Shape
 
 _NESTING = 64
+_NAMES = 0xFFFFFFFF
+"""What names wrap at."""
 _serial = count()
 _ID_TYPES = {
     GL_BYTE: np.int8, GL_UNSIGNED_BYTE: np.uint8, GL_SHORT: np.int16, GL_UNSIGNED_SHORT: np.uint16,
@@ -57,10 +62,14 @@ class Change:
 
     @classmethod
     def of(cls, name: str, args: tuple[Any, ...]) -> Change:
-        """With matrices copied: the app may change its array."""
+        """With matrices copied: the app may change its array. Of one that cannot be read nothing is
+        left."""
         call = MATRIX_CALLS.get(name)
         if call is not None and call.element and len(args) == 1:
-            args = (numbers_at(args[0], call.element, 16),)
+            try:
+                args = (numbers_at(args[0], call.element, 16),)
+            except TypeError:
+                args = ()
         return cls(name, args)
 
 
@@ -297,24 +306,24 @@ class _Walk:
     def _change(self, change: Change) -> None:
         role, args = role_of(change.name), change.args
         if role is Role.MATRIX_MODE:
-            self._mode = int(args[0])
+            self._mode = arguments.name(args, 0)
         elif role in _MATRIX_ROLES:
             if self._mode == GL_MODELVIEW:
                 self._move(role, change)
         elif role is Role.ATTRIB_PUSH:
-            kept = self._normal if int(args[0]) & GL_CURRENT_BIT else None
+            kept = self._normal if arguments.name(args, 0) & GL_CURRENT_BIT else None
             self._attributes.append((dict(self._switches), kept))
         elif role is Role.ATTRIB_POP:
             if self._attributes:
                 self._switches, kept = self._attributes.pop()
                 self._normal = self._normal if kept is None else kept
         elif role is Role.ENABLE or role is Role.DISABLE:
-            if int(args[0]) == GL_DEPTH_TEST:
+            if arguments.name(args, 0) == GL_DEPTH_TEST:
                 self._switches["depth"] = role is Role.ENABLE
         elif role is Role.DEPTH_MASK:
-            self._switches["write"] = bool(args[0])
+            self._switches["write"] = bool(number(args, 0))
         elif role is Role.POLYGON_MODE:
-            self._switches["fill"] = int(args[1]) == GL_FILL
+            self._switches["fill"] = arguments.name(args, 1) == GL_FILL
 
     def _move(self, role: Role, change: Change) -> None:
         if role is Role.MATRIX_PUSH:
@@ -324,7 +333,10 @@ class _Walk:
                 self._matrix, self._loaded = self._stack.pop()
         elif change.name in MATRIX_CALLS:
             call = MATRIX_CALLS[change.name]
-            matrix = matrix_of(call, change.args)
+            try:
+                matrix = matrix_of(call, change.args)
+            except (ArithmeticError, TypeError, ValueError):  # GL makes an error of it, or we miss
+                return
             self._matrix = matrix if call.loads else self._matrix @ matrix
             self._loaded = self._loaded or call.loads
 
@@ -334,11 +346,19 @@ _MATRIX_ROLES = frozenset((Role.MATRIX, Role.MATRIX_PUSH, Role.MATRIX_POP))
 
 def list_names(role: Role, args: Sequence[Any], base: int) -> tuple[int, ...]:
     """The lists that a call of LIST_CALLS runs; `base` is GL_LIST_BASE."""
+    given = tuple(args)
     if role is Role.LIST_CALL:
-        return (int(args[0]),)
-    count, type_, pointer = int(args[0]), int(args[1]), args[2]
+        return (arguments.name(given, 0),)
+    count, type_ = number(given, 0), arguments.name(given, 1)
     dtype = _ID_TYPES.get(type_)
     if dtype is None or count <= 0:
         return ()
-    raw = ctypes.string_at(address_of(pointer), count * np.dtype(dtype).itemsize)
-    return tuple(int(i) + base for i in np.frombuffer(raw, dtype))
+    try:
+        raw = memory.read(address_of(given[2]), count * np.dtype(dtype).itemsize)
+    except TypeError:
+        raw = None
+    if raw is None:
+        say_once("unstyled: glCallLists, because the names of its lists cannot be read")
+        return ()
+    offsets = raw.view(dtype)
+    return tuple(int(i) + base & _NAMES for i in offsets[np.isfinite(offsets)])

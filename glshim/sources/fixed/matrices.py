@@ -16,6 +16,7 @@ from glshim.model.transforms import (
     scaling,
     translation,
 )
+from glshim.sources.arguments import real_of
 from glshim.spec.matrices import MatrixCall, Operation
 
 _FORMULAS: Mapping[Operation, Callable[..., Matrix]] = {
@@ -31,5 +32,10 @@ _FORMULAS: Mapping[Operation, Callable[..., Matrix]] = {
 
 
 def matrix_of(call: MatrixCall, args: Sequence[Any]) -> Matrix:
-    """(4, 4) of a call's arguments; sixteen numbers come as one sequence."""
-    return _FORMULAS[call.operation](*args)
+    """(4, 4) of a call's arguments; sixteen numbers come as one sequence. Raises ArithmeticError,
+    TypeError or ValueError where they make no matrix."""
+    given = args if call.element and len(args) == 1 else [real_of(each) for each in args]
+    if call.operation is Operation.FRUSTUM and min(given[4:]) <= 0.0:
+        raise ValueError("a distance is not positive")
+    with np.errstate(all="ignore"):  # an app may turn by nothing around nothing
+        return _FORMULAS[call.operation](*given)

@@ -2,42 +2,35 @@
 
 from __future__ import annotations
 
-import ctypes
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-_ARRAYS: dict[str, tuple[str, type[np.generic]]] = {
-    "b": ("GLbyteArray", np.int8), "s": ("GLshortArray", np.int16), "i": ("GLintArray", np.int32),
-    "ui": ("GLuintArray", np.uint32), "f": ("GLfloatArray", np.float32),
-    "d": ("GLdoubleArray", np.float64),
+from glshim.sources.arguments import address_of
+from glshim.spec import memory
+
+_DTYPES: dict[str, type[np.generic]] = {
+    "b": np.int8, "s": np.int16, "i": np.int32, "ui": np.uint32, "f": np.float32, "d": np.float64,
 }  # fmt: skip
 """By the letters that entry points name their types with."""
 
 
 def dtype_of(letters: str) -> type[np.generic]:
     """The numpy type of an entry point's type letters."""
-    return _ARRAYS[letters][1]
+    return _DTYPES[letters]
 
 
 def numbers_at(value: Any, letters: str, count: int) -> NDArray[Any]:
-    """(count,) a copy of the numbers that a vector form is given, of the type of its letters."""
-    from OpenGL import arrays
-
-    name, dtype = _ARRAYS[letters]
-    address = int(getattr(arrays, name).dataPointer(value))
-    return np.frombuffer(ctypes.string_at(address, count * np.dtype(dtype).itemsize), dtype)
-
-
-def address_of(value: Any) -> int:
-    """The address, or the offset in a buffer, that an argument stands for."""
-    if value is None:
-        return 0
-    if isinstance(value, int):
-        return value
-    if isinstance(value, ctypes.c_void_p):
-        return value.value or 0
-    from OpenGL.arrays import ArrayDatatype
-
-    return int(ArrayDatatype.voidDataPointer(value).value or 0)
+    """(count,) a copy of the numbers that a vector form is given, of the type of its letters.
+    Raises TypeError where they cannot be had."""
+    dtype = dtype_of(letters)
+    if isinstance(value, (list, tuple)):
+        given = np.array(value).reshape(-1)[:count].astype(dtype)
+        if len(given) < count:
+            raise TypeError(f"{len(given)} numbers are given where {count} are needed")
+        return given
+    found = memory.read(address_of(value), count * np.dtype(dtype).itemsize)
+    if found is None:
+        raise TypeError("the memory of an argument cannot be read")
+    return found.view(dtype)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -13,10 +13,11 @@ from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.sources.arguments import number
 from glshim.sources.fixed import normals
+from glshim.sources.fixed.arrays import Unfetchable
 from glshim.sources.fixed.compiler import ListCompiler
 from glshim.sources.fixed.current import colour, normal_of
 from glshim.sources.fixed.evaluators import evaluator_key
-from glshim.sources.fixed.fetch import Unfetchable, VertexFetch
+from glshim.sources.fixed.fetch import VertexFetch
 from glshim.sources.fixed.lists import Opening
 from glshim.sources.fixed.primitive import OpenPrimitive
 from glshim.sources.fixed.rectangles import rectangle
@@ -25,8 +26,13 @@ from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
 from glshim.sources.state import DrawState
 from glshim.spec.ask import integer
 from glshim.spec.attributes import BY_NAME
-from glshim.spec.constants import GL_MATRIX_MODE, GL_QUADS
-from glshim.spec.driver import current_context
+from glshim.spec.constants import (
+    GL_DRAW_FRAMEBUFFER,
+    GL_FRAMEBUFFER_COMPLETE,
+    GL_MATRIX_MODE,
+    GL_QUADS,
+)
+from glshim.spec.driver import current_context, gl
 from glshim.spec.roles import LIST_CALLS, Role
 from glshim.spec.shapes import Shape
 
@@ -98,7 +104,7 @@ class FixedFunction:
         elif role is Role.ARRAY_ELEMENT:
             self._primitive.element(number(args, 0))
         elif role is Role.EVALUATION or role is Role.EVALUATOR_MESH:
-            self._primitive.evaluation(functools.partial(call, *args))
+            self._primitive.evaluation(_again(call, args))
         elif role is Role.NORMAL:
             if self._wanted.normals or self.lists.is_open:
                 self._stream.extend(normals.said(name, args))
@@ -115,7 +121,7 @@ class FixedFunction:
         state: DrawState | None,
     ) -> Drawn | None:
         """What an array draw, a rectangle or an evaluated grid has drawn, None where an open list
-        alone holds it now."""
+        alone holds it now, or where that cannot be known."""
         if role is Role.ARRAY_DRAW:
             arrays = ArrayDraw(name, args)
             if self.lists.is_open:
@@ -124,13 +130,17 @@ class FixedFunction:
                     self.lists.add(whole)
             return arrays
         if role is Role.EVALUATOR_MESH:
-            draw = functools.partial(call, *args)
+            draw = _again(call, args)
             if not self.lists.is_open:
                 return Shape(evaluator_key(name, args), draw)
             # Its map may be set by the list itself: asked when the list is called.
             self.lists.add(Shape(None, draw))
             return None
-        record = rectangle(name, args)
+        try:
+            record = rectangle(name, args)
+        except (TypeError, OverflowError) as reason:
+            say_once(f"unstyled: {name}, because {reason}")
+            return None
         self.lists.add(Primitive(GL_QUADS, record))
         return Primitive(GL_QUADS, normal_of(state, self._wanted) + record)
 
@@ -158,6 +168,8 @@ class FixedFunction:
         return () if batch is None else ((batch, state.camera),)
 
     def _of_arrays(self, drawn: ArrayDraw, state: DrawState) -> PolygonBatch | None:
+        if gl.glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE:
+            return None  # GL has read nothing of the arrays
         batch = self._fetched(drawn, self._wanted)
         if self._wanted.normals and batch is not None and batch.normals is None:
             current = normal_of(state, self._wanted)
@@ -202,3 +214,15 @@ class FixedFunction:
             say_once(f"unstyled: glArrayElement, because {reason}")
             return b""
         return given + vertex
+
+
+def _again(call: Callable[..., Any], args: tuple[Any, ...]) -> Callable[[], None]:
+    """Makes a call once more. What GL made an error of draws nothing then, either."""
+
+    def draw() -> None:
+        from OpenGL.error import GLError  # not before the app has set its flags
+
+        with suppress(GLError):
+            call(*args)
+
+    return draw

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import functools
+import traceback
 from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import POSITIONS, Wanted
-from glshim.notices import say_once
+from glshim.notices import say_fault, say_once
+from glshim.sources.arguments import name as name_among
 from glshim.sources.arguments import number
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
@@ -32,6 +34,11 @@ _COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 _PICK_AREA = 64
 """A readback of at most so many pixels is an app looking for what lies under the pointer: it gets
 the app's own colours. A larger one is a picture and shows the lines."""
+
+_REFUSED = frozenset((Role.ARRAY_DRAW, Role.EVALUATOR_MESH))
+"""Draws that read the app's memory, or must be made again: with an error GL has made none of it."""
+_MOST_PLACES, _MOST_IN_A_ROW = 3, 16
+"""Faults of ours, in following: so many kinds, or so many of one, are no exception any more."""
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -58,16 +65,24 @@ class LayerSink(Protocol):
         """A fault of ours: no more styling; the app's call goes on."""
 
 
+class _StylingFault(Exception):
+    """The styler, or an output, has failed; the cause says how."""
+
+
 def contained(method: F) -> F:
-    """A fault of ours ends the styling, never the app's call."""
+    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`."""
+    name = method.__name__
 
     @functools.wraps(method)
     def safe(self: Follower, *args: Any) -> Any:
         try:
-            return method(self, *args)
+            result = method(self, *args)
         except Exception as error:
-            self._sink.give_up(error)
+            self._contain(name, error)
             return None
+        if self._in_a_row:
+            self._in_a_row.pop(name, None)
+        return result
 
     return safe  # type: ignore[return-value]
 
@@ -78,11 +93,18 @@ class Follower:
     def __init__(self, stream: PrimitiveStream, sink: LayerSink) -> None:
         """Of no style yet: :meth:`restyle`. stream: the binding's."""
         self._sink = sink
+        self._stream = stream
         self._idle = True
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._scenes = Scenes(stream)
         self._now: Scene | None = None
         """Where the open primitive is drawn."""
+        self._spoilt = False
+        """Something of the open primitive could not be followed."""
+        self._places: set[str] = set()
+        """Where calls could not be followed, by faults of ours."""
+        self._in_a_row: dict[str, int] = {}
+        """How often, one after the other, by what was told."""
 
     def restyle(self, wanted: Wanted | None) -> None:
         """Polygons shall come with something else from now on, or (None) not at all. What layers
@@ -90,12 +112,42 @@ class Follower:
         self._idle = wanted is None
         self._scenes.restyle(wanted or POSITIONS)
 
+    # -- faults ----------------------------------------------------------------------------------
+
+    def _contain(self, told: str, error: Exception) -> None:
+        """A fault. In following, it costs what one call has drawn: that is said once, and following
+        goes on. Where it comes again and again, or in the styler, it ends the styling."""
+        if isinstance(error, _StylingFault):
+            self._sink.give_up(error.__cause__ or error)
+            return
+        place = _place(error)
+        self._places.add(place)
+        self._in_a_row[told] = self._in_a_row.get(told, 0) + 1
+        if len(self._places) >= _MOST_PLACES or self._in_a_row[told] >= _MOST_IN_A_ROW:
+            self._sink.give_up(error)
+            return
+        say_fault(f"unstyled: what one call draws, by a fault of glshim at {place}", error)
+        try:
+            self._drop()
+        except Exception as another:
+            self._sink.give_up(another)
+
+    def _drop(self) -> None:
+        """What the current call draws carries no lines."""
+        if self._stream.inside():  # nothing may be said to GL here: the end of it closes
+            self._spoilt = True
+            return
+        scene = self._scenes.current()
+        if scene is not None:
+            self._close(scene)
+
     # -- primitives ------------------------------------------------------------------------------
 
     @contained
     def begin(self, mode: int) -> None:
         """Before glBegin."""
         self._now = scene = self._scenes.current()
+        self._spoilt = False
         if scene is not None:
             self._open(mode in POLYGON_MODES, scene)
             scene.fixed.begin(scene.drawing)
@@ -112,7 +164,7 @@ class Follower:
         state = self._close(scene)
         if mode in POLYGON_MODES:
             drawn = scene.fixed.end(mode, stream)
-            if state is not None:
+            if state is not None and not self._spoilt:
                 self._add(scene, state, drawn)
 
     @contained
@@ -164,7 +216,7 @@ class Follower:
         elif role in OTHER_DRAWS:
             self._open(False, scene)
         elif role is Role.CLEAR:
-            self._clear(scene, number(args, 0))
+            self._clear(scene, name_among(args, 0))
         elif role is Role.CLEAR_BUFFER:
             self._clear(scene, _COLOR_AND_DEPTH)
         elif role is Role.READ_PIXELS:
@@ -178,7 +230,7 @@ class Follower:
         elif role is Role.LIST_CLOSE:
             self._scenes.close_list(scene)
         elif role is Role.LIST_FORGET:
-            scene.fixed.lists.book.forget(number(args, 0), number(args, 1))
+            scene.fixed.lists.book.forget(name_among(args, 0), number(args, 1))
         elif role is Role.CLIP_PLANE:
             scene.reader.forget()
 
@@ -192,7 +244,24 @@ class Follower:
     def after(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
     ) -> None:
-        """After a call by role, also when PyOpenGL found a GL error."""
+        """After a call by role."""
+        self._after(role, name, args, call)
+
+    @contained
+    def failed(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> None:
+        """After one that PyOpenGL found a GL error of."""
+        scene = self._scenes.current()
+        if scene is not None and role in _REFUSED:
+            self._close(scene)
+            if not scene.fixed.lists.is_open:
+                return
+        self._after(role, name, args, call)  # the error may be older, or the list has it now
+
+    def _after(
+        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
+    ) -> None:
         scene = self._scenes.current()
         if scene is None or scene.refused:
             return
@@ -210,7 +279,7 @@ class Follower:
         elif role in IN_LISTS:
             fixed.lists.add(Change.of(name, args))
         elif role is Role.LIST_OPEN:
-            fixed.lists.open(int(args[0]), int(args[1]))
+            fixed.lists.open(name_among(args, 0), name_among(args, 1))
 
     @contained
     def refused(self) -> None:
@@ -295,7 +364,10 @@ class Follower:
     def _end_layer(self, scene: Scene) -> None:
         layer = scene.layer.take()
         if layer.items:
-            self._sink.layer_ends(layer, scene)
+            try:
+                self._sink.layer_ends(layer, scene)
+            except Exception as error:
+                raise _StylingFault from error
 
     def _finish(self, scene: Scene) -> None:
         if scene.layer.pending and not scene.fixed.lists.is_open:
@@ -320,3 +392,9 @@ class Follower:
 
 _RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
 """When a new context at an old one's address is looked out for: a program that draws comes by."""
+
+
+def _place(error: Exception) -> str:
+    """Where a fault came up."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    return f"{last.filename}:{last.lineno}"
