@@ -196,6 +196,34 @@ def test_files_of_toml_are_taken_or_refused_with_their_place(
 
 
 @fuzz
+@given(st.sampled_from(registry.names()), st.data())
+def test_options_of_a_style_take_or_refuse_any_value(
+    tmp_path: Path, name: str, data: st.DataObject
+) -> None:
+    """Files that are valid TOML and name options that there are, flat and by feature."""
+    options = {option.name: option for option in options_of(registry.load(name))}
+    names = st.sampled_from(sorted(options)) if options else st.just("none")
+    flat, tables = [], []
+    for each in data.draw(st.lists(names, max_size=4, unique=True)):
+        own = [st.integers(-1, 400), st.floats(-1.0, 400.0), VALUES]
+        if each in options:
+            option = options[each]
+            words = (option.show(option.default), *option.choices)
+            own.append(st.sampled_from(words))
+        value = toml(data.draw(st.one_of(own)))
+        feature, _, rest = each.partition("_")
+        if rest and data.draw(st.booleans()) and f"[{feature}]" not in tables:
+            tables += [f"[{feature}]", f"{rest} = {value}"]
+        else:
+            flat.append(f"{each} = {value}")
+    path = tmp_path / "mine.toml"
+    content = "\n".join([f'style = "{name}"', *flat, *tables])
+    path.write_bytes(content.encode("utf-8", "surrogatepass"))
+    line = refused(str(path))
+    assert not line or line.startswith(f"{path}:")
+
+
+@fuzz
 @given(st.binary(max_size=200) | st.lists(LINES, max_size=4).map(
     lambda lines: "\n".join(lines).encode("utf-8", "surrogatepass")))  # fmt: skip
 def test_files_of_anything_are_taken_or_refused(tmp_path: Path, content: bytes) -> None:
