@@ -209,3 +209,28 @@ def test_the_reader_of_imports_sees_every_form() -> None:
 def test_a_circle_is_found() -> None:
     graph = {"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}
     assert circles(graph) == [["a", "b", "c", "a"]]
+
+
+def _census() -> str:
+    """How many rooms there are (folders of ``glshim``, files at its top, ``stylers``), how many
+    arrows between them, and how many circles."""
+
+    def room(path: Path) -> str:
+        parts = path.relative_to(ROOT).parts
+        return parts[0] if parts[0] == "stylers" else "/".join(parts[:2])
+
+    graph: dict[str, set[str]] = {}
+    for path in sources("glshim", "stylers"):
+        others = graph.setdefault(room(path), set())
+        for module in filter(None, map(module_of, imports(path))):
+            file = ROOT.joinpath(*module.split("."))
+            file = file / "__init__.py" if file.is_dir() else file.with_suffix(".py")
+            if module.partition(".")[0] in ("glshim", "stylers"):
+                others.add(room(file))
+    between = {name: others - {name} for name, others in graph.items()}
+    arrows = sum(map(len, between.values()))
+    return f"{len(between)} rooms, {arrows} arrows, {len(circles(between))} circles"
+
+
+if __name__ == "__main__":
+    print(_census())
