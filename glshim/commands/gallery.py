@@ -8,8 +8,8 @@ from typing import ClassVar
 
 from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
-from glshim.files import PAGES, PICTURES, picture_target
 from glshim.notices import say
+from glshim.outputs.files import PAGES, PICTURES, picture_target
 from glshim.running import subjects
 from glshim.running.gallery.runs import Run, run_all, styled
 from glshim.running.gallery.tiles import PLAIN, Tile, file_names, tile

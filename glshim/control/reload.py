@@ -12,9 +12,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from glshim.errors import GlshimError
-from glshim.files import read_small
 from glshim.notices import forget, say, say_fault
 from glshim.styling import texts
+from glshim.styling.files import read_small
 from glshim.styling.protocol import Styler
 from glshim.toolkits import frames
 

@@ -10,10 +10,10 @@ from glshim import toolkits
 from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
 from glshim.errors import GlshimError, StyleError
-from glshim.files import has_elevated_rights
 from glshim.notices import say, say_fault
 from glshim.running import environment, stillness
 from glshim.styling import texts
+from glshim.styling.files import has_elevated_rights
 from glshim.styling.protocol import Styler
 from glshim.toolkits import Part, frames, keyboard
 from glshim.toolkits.frames import Stage

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 from glshim.errors import StyleError, nearest
-from glshim.files import has_elevated_rights, read_small
+from glshim.styling.files import has_elevated_rights, read_small
 from glshim.styling.former import advice
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler

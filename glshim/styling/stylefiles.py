@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from glshim.errors import StyleError, unknown
-from glshim.files import read_small
+from glshim.styling.files import read_small
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
 

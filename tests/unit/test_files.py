@@ -12,11 +12,12 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from glshim import files
 from glshim.control import pictures
 from glshim.errors import StyleError
-from glshim.files import MOST_BYTES, add_picture, picture_target, read_small, write_picture
+from glshim.outputs.files import add_picture, picture_target, write_picture
 from glshim.outputs.gl.frame import grab
+from glshim.styling import files
+from glshim.styling.files import MOST_BYTES, read_small
 from glshim.styling.pictures import read_image
 
 RED, BLUE = Image.new("RGB", (4, 3), "red"), Image.new("RGB", (4, 3), "blue")

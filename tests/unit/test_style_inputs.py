@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from glshim.control.keys import KEYS
 from glshim.errors import StyleError
-from glshim.files import MOST_BYTES
 from glshim.running import environment
 from glshim.running.shots.plan import Plan
 from glshim.styling import fromfile, registry
+from glshim.styling.files import MOST_BYTES
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Styler
 from glshim.styling.stylefiles import StyleFile

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
-from glshim.files import write_picture
+from glshim.outputs.files import write_picture
 from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.tiles import Tile
 

@@ -12,7 +12,7 @@ from urllib.parse import quote
 
 from PIL import Image
 
-from glshim.files import write_html
+from glshim.outputs.files import write_html
 from glshim.running.gallery.tiles import Tile
 
 

@@ -16,7 +16,7 @@ from types import FrameType
 from typing import IO
 
 from glshim.errors import EnvironmentFault
-from glshim.files import picture_target
+from glshim.outputs.files import picture_target
 from glshim.running import environment, launch
 from glshim.running.headless import virtual_screen
 from glshim.running.subjects import surroundings

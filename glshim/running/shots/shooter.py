@@ -13,8 +13,8 @@ from PIL import Image
 from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
-from glshim.files import write_picture
 from glshim.notices import say
+from glshim.outputs.files import write_picture
 from glshim.outputs.gl.frame.grab import grab
 from glshim.outputs.output import WINDOW, Destination
 from glshim.running.shots.calls import Calls, convert

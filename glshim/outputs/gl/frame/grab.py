@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glshim.errors import shown
-from glshim.files import picture_target, write_picture
 from glshim.notices import say
+from glshim.outputs.files import picture_target, write_picture
 from glshim.spec.ask import integer, integers, real
 from glshim.spec.constants import (
     GL_BACK,

@@ -1,7 +1,7 @@
-"""The files that glshim reads and writes: what it takes as one to read, and when it replaces one.
+"""The files that glshim writes: beside the target, then in its place.
 
-Nothing here waits, follows a link out of its folder, or overwrites what is not a picture of
-before; see ``docs/security.md``.
+Nothing here follows a link out of its folder, or overwrites what is not a picture of before; see
+``docs/security.md``.
 """
 
 from __future__ import annotations
@@ -13,47 +13,18 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
+from glshim.styling.files import open_regular
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from PIL.Image import Image
 
-MOST_BYTES = 256 << 10
-"""Size of a style file, at most."""
 PICTURES = (b"\x89PNG\r\n\x1a\n", b"\xff\xd8\xff")
 """How files begin that a picture may replace: PNG and JPEG."""
 PAGES = (b"<!doctype html",)
 """How files begin that a page may replace."""
-_KINDS = (
-    (stat.S_ISDIR, "a directory"), (stat.S_ISFIFO, "a FIFO"), (stat.S_ISSOCK, "a socket"),
-    (stat.S_ISCHR, "a device"), (stat.S_ISBLK, "a device"),
-)  # fmt: skip
 _numbers = count(1)
-
-
-def has_elevated_rights() -> bool:
-    """Whether the process has rights that its user does not have (setuid, setgid)."""
-    if os.name != "posix":
-        return False
-    return os.getuid() != os.geteuid() or os.getgid() != os.getegid()
-
-
-def read_small(path: Path, most: int = MOST_BYTES) -> bytes:
-    """The bytes of a regular file that is not larger than ``most``. Never waits for a FIFO or a
-    device. Raises OSError that says so, ValueError where the path cannot be one."""
-    descriptor = _open_regular(path)
-    with os.fdopen(descriptor, "rb") as file:
-        content = file.read(most + 1)
-    if len(content) > most:
-        raise OSError(f"it is larger than {most >> 10} KiB")
-    return content
-
-
-def require_regular(path: str | Path) -> os.stat_result:
-    """What a regular file is like. Raises OSError for anything else."""
-    found = os.stat(path)
-    _require_regular(found)
-    return found
 
 
 def picture_target(path: Path, beginnings: tuple[bytes, ...] = PICTURES) -> Path:
@@ -66,7 +37,7 @@ def picture_target(path: Path, beginnings: tuple[bytes, ...] = PICTURES) -> Path
         if target.parent != Path(os.path.realpath(path.parent)):
             raise OSError(f"it is a symbolic link to {target}, out of its folder")
     try:
-        descriptor = _open_regular(target, os.O_NOFOLLOW if os.name == "posix" else 0)
+        descriptor = open_regular(target, os.O_NOFOLLOW if os.name == "posix" else 0)
     except FileNotFoundError:
         return target
     with os.fdopen(descriptor, "rb") as file:
@@ -117,23 +88,3 @@ def _replace(target: Path, write: Callable[[BinaryIO], object]) -> None:
         with suppress(OSError):
             beside.unlink()
         raise
-
-
-def _open_regular(path: Path, flags: int = 0) -> int:
-    """A descriptor for reading. Raises OSError."""
-    # Looked at before it is opened: opening a device can do something.
-    _require_regular(os.lstat(path) if flags else os.stat(path))
-    flags |= getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
-    descriptor = os.open(path, os.O_RDONLY | flags)
-    try:
-        _require_regular(os.fstat(descriptor))  # it may be another one by now
-    except BaseException:
-        os.close(descriptor)
-        raise
-    return descriptor
-
-
-def _require_regular(found: os.stat_result) -> None:
-    if not stat.S_ISREG(found.st_mode):
-        kind = next((name for test, name in _KINDS if test(found.st_mode)), "something else")
-        raise OSError(f"it is {kind}, not a regular file")
