@@ -5,6 +5,7 @@ The tier of a test is that of its folder, unless the test or its module has the 
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Iterator
 from contextlib import ExitStack
@@ -68,6 +69,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         if not any(item.get_closest_marker(tier) for tier in TIERS):
             item.add_marker(TIER_OF[_place(item).parts[0]])
     items.sort(key=_rank)
+
+
+def pytest_collection_finish() -> None:
+    """What is there now stays to the end: garbage collection need not look at it again."""
+    gc.freeze()
 
 
 def _place(item: pytest.Item) -> Path:
