@@ -19,6 +19,7 @@ from glshim.bindings.pyopengl import forward
 from glshim.errors import StyleError
 from glshim.styling.lines import Medium
 from glshim.styling.protocol import Layer, Lines, Styler
+from tests.sweep import some
 
 from .scenes_immediate import shade, spiral
 from .scenes_lists import recorded
@@ -301,14 +302,13 @@ for style in STYLES:
 """
 
 
-@pytest.mark.parametrize(
-    "flags",
+@pytest.mark.parametrize("flags", some(
     ["ERROR_CHECKING = False", "ERROR_LOGGING = True", "FULL_LOGGING = True",
      "CONTEXT_CHECKING = True", "ERROR_ON_COPY = True",
      "STORE_POINTERS = False; X.ERROR_ON_COPY = True",
      "USE_ACCELERATE = False", "ALLOW_NUMPY_SCALARS = True", "ARRAY_SIZE_CHECKING = False",
-     "SIZE_1_ARRAY_UNPACK = False", "UNSIGNED_BYTE_IMAGES_AS_STRING = False"],
-)  # fmt: skip
+     "SIZE_1_ARRAY_UNPACK = False", "UNSIGNED_BYTE_IMAGES_AS_STRING = False"], 6
+))  # fmt: skip
 def test_flags_of_pyopengl(flags: str) -> None:
     def said(*styles: str, early: bool = False) -> list[str]:
         """What is said under each of the styles, one after the other; "" is without glshim."""

@@ -269,7 +269,7 @@ CHANGES = tuple(product([(RASKAR,), (MARKS,), ("off",), (SURFACE, "off", "none")
                         [RASKAR, MARKS, SURFACE, "fins", "off"]))  # fmt: skip
 
 
-@pytest.mark.parametrize(("before", "target"), some(CHANGES, 7))
+@pytest.mark.parametrize(("before", "target"), some(CHANGES, 4))
 def test_a_style_that_comes_later_draws_as_if_it_had_been_on_from_the_start(
     before: tuple[str, ...], target: str
 ) -> None:

@@ -14,7 +14,7 @@ from tests.figures.shots import DEMOS, sheet, shot
 
 LOOKS = ("pen_and_ink", "charcoal", "anime", "watercolour")
 """The order of figure 7."""
-_VIEW = ("-m", "demo_apps.viewer")
+_VIEW = ("-m", "demo_apps.viewer", "--wait")
 _UNTEXTURED = "edge_mesh:ridges=off,valleys=off,smooth=on"
 _FURRY = "edge_mesh:ridges=off,valleys=off,texture=cartoon_fur,contour_width=26"
 
