@@ -22,6 +22,9 @@ class PrimitiveSink(Protocol):
     def begin(self, mode: int) -> None:
         """Before the driver's glBegin."""
 
+    def refused(self) -> None:
+        """Instead of what comes after a draw: the arguments were refused, nothing was called."""
+
     def end(self, mode: int, stream: bytes) -> None:
         """After the driver has drawn it (or a list has taken it)."""
 
@@ -61,9 +64,6 @@ class Watcher(PrimitiveSink, ShapeSink, Protocol):
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
     ) -> None:
         """Instead of :meth:`after`: a GL error was found, which may be an older one."""
-
-    def refused(self) -> None:
-        """Instead of :meth:`after`: the arguments were refused, nothing was called."""
 
     def inside(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]

@@ -35,8 +35,11 @@ def after_import(name: str, action: Action) -> None:
 
 
 def _run(action: Action, module: ModuleType) -> None:
+    from glshim.interrupts import Held
+
     try:
-        action(module)
+        with Held():
+            action(module)
     except Exception as error:  # an import of the app's must not fail for us
         from glshim.notices import say_fault
 

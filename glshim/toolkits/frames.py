@@ -2,7 +2,8 @@
 the toolkits' own files, which call `present`; this one knows no toolkit.
 
 A listener is up to two functions: ``before`` runs with the app's context current just before the
-frame is presented, ``after`` just after. The app sees neither them nor their exceptions.
+frame is presented, ``after`` just after. The app sees neither them nor their exceptions; its own
+signal handlers wait meanwhile.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from enum import IntEnum
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
+from glshim.interrupts import Held
 from glshim.notices import say_fault
 
 Result = TypeVar("Result")
@@ -111,18 +113,23 @@ def present(
     For the hooks on toolkits, and without ``on`` for what ends a frame by itself: glFlush or
     glFinish on a single-buffered or off-screen context. May raise `SystemExit`: see `end_program`.
     """
-    global _presented
+    global _presented, _drawable
     if not listening():
         return swap(*arguments, **named)
-    with drawing(on or _drawable):
-        for listener in _listeners:
-            _call(listener.before)
+    outer, _drawable = _drawable, on or _drawable
+    try:
+        with Held():
+            for listener in _listeners:
+                _call(listener.before)
         result = swap(*arguments, **named)
-        _presented += 1
-        for listener in _listeners:
-            _call(listener.after)
+        with Held():
+            _presented += 1
+            for listener in _listeners:
+                _call(listener.after)
         if _leaving:
             _leave(_drawable)
+    finally:
+        _drawable = outer
     return result
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Protocol
 
+from glshim.interrupts import is_ours as is_fault
 from glshim.notices import say_fault
 
 MODIFIERS = ("ctrl", "alt", "shift")
@@ -62,19 +63,22 @@ def listening() -> bool:
 
 
 def is_ours(name: str | None, held: Collection[str] = (), *, shortcut: bool = False) -> bool:
-    """Whether a key that goes down would be ours (shortcut: be it a shortcut of the app's). Never
-    raises."""
+    """Whether a key that goes down would be ours (shortcut: be it a shortcut of the app's). Raises
+    nothing of ours."""
     if _listener is None or name is None:
         return False
     try:
         return (_listener.claims if shortcut else _listener.owns)(chord(name, held))
     except Exception as error:
+        if not is_fault(error):
+            raise
         say_fault("a key went wrong, the program runs on", error)
         return False
 
 
 def pressed(name: str | None, held: Collection[str] = (), *, again: bool = False) -> bool:
-    """A key went down (again: is held, and repeats): whether it is ours. Never raises."""
+    """A key went down (again: is held, and repeats): whether it is ours. Raises nothing
+    of ours."""
     if again:
         return name in _held
     if _listener is None or name is None or not is_ours(name, held):
@@ -84,6 +88,8 @@ def pressed(name: str | None, held: Collection[str] = (), *, again: bool = False
     try:
         _listener.press(chord(name, held))
     except Exception as error:
+        if not is_fault(error):
+            raise
         say_fault("a key went wrong, the program runs on", error)
     return True
 

@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[2]
 LONGEST = 420
 """About 400 lines: past that a file holds two things."""
 
-EVERYWHERE = ("glshim.errors", "glshim.notices")
+EVERYWHERE = ("glshim.errors", "glshim.interrupts", "glshim.notices")
 """Modules that every room may import."""
 ROOMS = {
     "model": (),
@@ -33,7 +33,9 @@ ROOMS = {
     "commands": ("spec", "toolkits", "styling", "outputs", "control", "running", "checks"),
 }  # fmt: skip
 """What each room may import besides itself, in the order of the flow."""
-TOP = {"__init__.py", "__main__.py", "errors.py", "notices.py", "pipeline.py"}
+TOP = {
+    "__init__.py", "__main__.py", "errors.py", "interrupts.py", "notices.py", "pipeline.py",
+}  # fmt: skip
 """All that lies at the top: public names, the way to the command line, and the composition root."""
 
 

@@ -204,13 +204,13 @@ def test_another_style_takes_over() -> None:
 def test_large_primitives_are_drawn_from_arrays(monkeypatch: pytest.MonkeyPatch) -> None:
     """Else the differential scenes would prove nothing about them."""
     drawn = []
-    draw = forward._draw_arrays
+    draw = forward._arrays_drawn
 
-    def spy(mode: int, count: int, *more: Any) -> None:
+    def spy(mode: int, count: int, *more: Any) -> Any:
         drawn.append((mode, count))
-        draw(mode, count, *more)
+        return draw(mode, count, *more)
 
-    monkeypatch.setattr(forward, "_draw_arrays", spy)
+    monkeypatch.setattr(forward, "_arrays_drawn", spy)
 
     def scene(app: App) -> None:
         for mode in range(10):

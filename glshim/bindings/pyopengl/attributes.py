@@ -1,6 +1,8 @@
 """The hooks of recorded attributes: from the arguments of a call to its record.
 
-They run once a vertex, so each is one function over as few cells as can be.
+They run once a vertex, so each is one function over as few cells as can be. What does not pack is
+the driver's to refuse; what a signal handler raises meanwhile is the program's, and comes before
+the vertex is recorded or after it.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.conversions import INTEGERS, LISTED, as_c_takes
 from glshim.bindings.pyopengl.raw import Call, Maker
 from glshim.bindings.pyopengl.record import Record
+from glshim.interrupts import is_ours
 from glshim.spec.attributes import Attribute
 
 _MISSING: Any = object()
@@ -42,10 +45,13 @@ def _floats(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None and not more:
                 try:
-                    write(pack(x, tag))
+                    said = pack(x, tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
+                else:
+                    write(said)
                     return None
-                except Exception:
-                    pass
             return other(real, (x, *more))
 
         return record
@@ -55,10 +61,13 @@ def _floats(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None and not more:
                 try:
-                    write(pack(x, y, tag))
+                    said = pack(x, y, tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
+                else:
+                    write(said)
                     return None
-                except Exception:
-                    pass
             return other(real, (x, y, *more))
 
         return record
@@ -68,10 +77,13 @@ def _floats(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None and not more:
                 try:
-                    write(pack(x, y, z, tag))
+                    said = pack(x, y, z, tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
+                else:
+                    write(said)
                     return None
-                except Exception:
-                    pass
             elif write is None and not state.shadow and z is not _MISSING:
                 return real(x, y, z, *more)
             return other(real, (x, y, z, *more))
@@ -83,10 +95,13 @@ def _floats(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None:
                 try:
-                    write(pack(*args, tag))
+                    said = pack(*args, tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
+                else:
+                    write(said)
                     return None
-                except Exception:
-                    pass
             return other(real, args)
 
         return record
@@ -104,10 +119,14 @@ def _integers(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None:
                 try:
-                    write(pack(*convert(*args), tag))
-                    return None
-                except Exception:
+                    said = pack(*convert(*args), tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
                     state.spill()
+                else:
+                    write(said)
+                    return None
             result = real(*args)
             if state.shadow:
                 state.write(taken(args))
@@ -128,7 +147,9 @@ def pointers(state: Record, row: Attribute) -> Maker:
                 return real(*args)
             try:
                 values = forward.read(row, *args)
-            except TypeError:
+            except TypeError as error:
+                if not is_ours(error):
+                    raise
                 state.spill()
                 return real(*args)
             if state.shadow:
@@ -153,10 +174,13 @@ def vectors(state: Record, row: Attribute) -> Maker:
             write = state.held
             if write is not None and type(v) in _SEQUENCES:
                 try:
-                    write(pack(*(convert(*v) if convert else v), tag))
+                    said = pack(*(convert(*v) if convert else v), tag)
+                except Exception as error:
+                    if not is_ours(error):
+                        raise
+                else:
+                    write(said)
                     return None
-                except Exception:
-                    pass
             return base(this, *((v, *more) if v is not _MISSING else ()))
 
         return record

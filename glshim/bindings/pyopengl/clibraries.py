@@ -11,6 +11,7 @@ from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.interrupts import is_ours
 from glshim.notices import say_fault
 from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
 from glshim.spec.driver import gl
@@ -76,16 +77,27 @@ class CLibraries:
                 return call(*args)
             RECORDER.record.spill()
             watcher.before_shape(name)
-            result = call(*args)
             try:
-                shape = self._describe(name, role, call, args)
-            except Exception as error:
-                say_fault(f"{name} stays unlined", error)
-                shape = None
+                result = call(*args)
+                shape = self._described(name, role, call, args)
+            except BaseException:
+                watcher.after_shape(None)
+                raise
             watcher.after_shape(shape)
             return result
 
         return hook
+
+    def _described(
+        self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
+    ) -> Shape | None:
+        try:
+            return self._describe(name, role, call, args)
+        except Exception as error:
+            if not is_ours(error):
+                raise
+            say_fault(f"{name} stays unlined", error)
+            return None
 
     def _describe(
         self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]

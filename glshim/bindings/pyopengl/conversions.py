@@ -8,6 +8,7 @@ from struct import Struct
 from typing import Any
 
 from glshim.bindings.pyopengl.forward import ELEMENTS
+from glshim.interrupts import is_ours
 from glshim.spec.attributes import Attribute
 
 
@@ -30,7 +31,9 @@ def as_c_takes(row: Attribute) -> Callable[[Sequence[Any]], bytes]:
         try:
             values = [element(getattr(a, "value", a)).value for a in args[:size]]
             return pack(*(convert(*values) if convert else values), tag)
-        except Exception:
+        except Exception as error:
+            if not is_ours(error):
+                raise
             return b""
 
     return taken

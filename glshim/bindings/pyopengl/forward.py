@@ -7,14 +7,16 @@ same current attributes; everything else is replayed call by call through the ba
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
+from functools import lru_cache, partial
 from struct import Struct
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.interrupts import exhaust
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.attributes import (
     BY_NAME,
@@ -82,10 +84,12 @@ _CLIENT_STATES = (
 _UNITS, _ATTRIBUTES = 8, 32
 """At most so many texture units and generic attributes are looked at."""
 _LONGEST_PERIOD = 4
+_FEW = 128
+"""Records that are split by a struct of their own."""
 _FLOAT = Struct("=f")
 _ONE = _FLOAT.pack(1.0)
-_Array = tuple[int, int, int]
-"""Kind, components and address."""
+_Array = tuple[int, int, Any]
+"""Kind, components and address, which may keep alive what lies there."""
 
 ELEMENTS: dict[str, Any] = {
     "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
@@ -93,36 +97,61 @@ ELEMENTS: dict[str, Any] = {
 }  # fmt: skip
 """C types by the type letters of attributes."""
 
-_calls: list[Callable[[bytes], Any]] = []
+Step = Callable[[], Any]
+"""A call of C's with its arguments: `glshim.interrupts.at_once` makes it."""
+
+_calls: list[Callable[..., Any]] = []
+"""By tag."""
+_CALL: Any = ctypes.PYFUNCTYPE(None).__call__
+
+_TAKES: dict[str, Callable[[bytes], Any]] = {
+    "opaque": lambda record: record[:12] + _ONE,
+    "number": lambda record: int(_FLOAT.unpack_from(record)[0]),
+}
+"""By `Replay.takes`: from a record to the argument, where that is not the record itself."""
+_OTHERS = {tag: _TAKES[row.takes] for tag, row in enumerate(REPLAY) if row.takes in _TAKES}
+"""By tag."""
+_PLAIN = bytes(tag for tag in range(len(REPLAY) + 1) if tag not in _OTHERS)
+END = bytes((*bytes(TAG_OFFSET), len(REPLAY), *bytes(RECORD_BYTES - TAG_OFFSET - 1)))
+"""The record of glEnd, which takes nothing and does not look at what it is given."""
 
 
-def _bare_calls() -> list[Callable[[bytes], Any]]:
+def saying(stream: bytes) -> Iterable[Any]:
+    """Says the recorded calls to the driver one by one, as it is exhausted. Exact in every case."""
+    calls = _calls or _bare_calls()
+    tags = stream[TAG_OFFSET::RECORD_BYTES]
+    if len(tags) <= _FEW:
+        arguments: Sequence[Any] = _split(len(tags))(stream)
+    else:
+        arguments = [stream[at : at + TAG_OFFSET] for at in range(0, len(stream), RECORD_BYTES)]
+    if tags.translate(None, _PLAIN):
+        arguments = [
+            _OTHERS[tag](record) if tag in _OTHERS else record
+            for tag, record in zip(tags, arguments, strict=True)
+        ]
+    return map(_CALL, map(calls.__getitem__, tags), arguments)
+
+
+@lru_cache(maxsize=_FEW + 1)
+def _split(count: int) -> Callable[[bytes], Sequence[bytes]]:
+    """From so many records to what they hold, each without its tag."""
+    return Struct(f"{TAG_OFFSET}s{RECORD_BYTES - TAG_OFFSET}x" * count).unpack
+
+
+def _bare_calls() -> list[Callable[..., Any]]:
     if not _calls:
-        _calls.extend(_TAKES[row.takes](quick(row.name)) for row in REPLAY)
+        _calls.extend([*(quick(row.name) for row in REPLAY), gl.glEnd])
     return _calls
 
 
-def _record(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
-    return bare
-
-
-def _opaque(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
-    return lambda record: bare(record[:12] + _ONE)
-
-
-def _number(bare: Callable[..., Any]) -> Callable[[bytes], Any]:
-    return lambda record: bare(int(_FLOAT.unpack_from(record)[0]))
-
-
-_TAKES = {"record": _record, "opaque": _opaque, "number": _number}
-"""By `Replay.takes`: from a bare function to what says a record with it."""
+def said(stream: bytes) -> Step:
+    """A step that exhausts `saying`."""
+    return partial(exhaust, saying(stream), 0)
 
 
 def replay(stream: bytes) -> None:
-    """Say the recorded calls to the driver one by one. Exact in every case."""
-    calls = _calls or _bare_calls()
-    for at in range(0, len(stream), RECORD_BYTES):
-        calls[stream[at + TAG_OFFSET]](stream[at : at + TAG_OFFSET])
+    """Say the recorded calls to the driver one by one, with no signal handler between them."""
+    exhaust(saying(stream), 0)
 
 
 def able(mode: int) -> bool:
@@ -147,11 +176,19 @@ _obstacles: dict[int, tuple[int, ...]] = {}
 """By context the integers that must be zero; empty when arrays are out of the question."""
 
 
-def draw(mode: int, stream: bytes) -> bool:
-    """Say a recorded primitive whose glBegin the driver has: the first polygon call by call, then
-    glEnd, and the rest in one glDrawArrays. The app's array state is left as it was.
+class Parted(NamedTuple):
+    """A primitive whose glBegin the driver has, in two parts."""
 
-    False, and nothing is said, for a stream that only a replay renders exactly.
+    head: Step
+    """Says the first polygon, call by call; glEnd follows."""
+    rest: Callable[[], list[Step]]
+    """Asks the driver, outside the primitive, and gives what draws the rest in one glDrawArrays."""
+
+
+def parted(mode: int, stream: bytes) -> Parted | None:
+    """How a recorded primitive can be said in two parts. The app's array state is left as it was.
+
+    None for a stream that only a replay renders exactly.
 
     Mesa 22.3 sets the terms. An empty glBegin/glEnd pair makes it lose the next primitive: hence
     the first polygon. An attribute that comes in different sizes, or for the first time after some
@@ -161,22 +198,21 @@ def draw(mode: int, stream: bytes) -> bool:
     tags, values = decode(stream)
     period = _period(tags)
     if period:
-        return _draw_regular(mode, stream, tags[:period], head, start)
+        return _parted_regular(mode, stream, tags[:period], head, start)
     used = np.flatnonzero(np.bincount(tags, minlength=len(KIND)))
     kinds = KIND[tags]
     vertex_rows = np.flatnonzero(kinds == VERTEX)
     if _EDGE_FLAG_TAG in used or len(set(KIND[used].tolist())) < len(used):
-        return False
+        return None
     if len(vertex_rows) <= head:
-        return False
+        return None
     arrays: list[_Array] = []
     last: list[bytes] = []
-    kept: list[NDArray[np.float32]] = []  # alive until they are drawn
     for tag in used:
         kind, size = int(KIND[tag]), int(SIZE[tag])
         rows = np.flatnonzero(tags == tag)
         if rows[0] > vertex_rows[0]:
-            return False
+            return None
         if kind != VERTEX:
             if rows[-1] < vertex_rows[0]:
                 continue  # set once, before all vertices: the head says it
@@ -184,14 +220,13 @@ def draw(mode: int, stream: bytes) -> bool:
             last.append(stream[at : at + RECORD_BYTES])
         which = np.cumsum(tags == tag)[vertex_rows[start:]] - 1
         array = np.ascontiguousarray(values[rows[which], :size])
-        kept.append(array)
-        arrays.append((kind, size, array.ctypes.data))
-    replay(stream[: (int(vertex_rows[head - 1]) + 1) * RECORD_BYTES])
-    gl.glEnd()
-    _draw_arrays(mode, len(vertex_rows) - start, arrays, 0)
-    for record in last:
-        replay(record)
-    return True
+        arrays.append((kind, size, array.ctypes._as_parameter_))
+    return Parted(
+        said(stream[: (int(vertex_rows[head - 1]) + 1) * RECORD_BYTES]),
+        lambda: [
+            *_arrays_drawn(mode, len(vertex_rows) - start, arrays, 0), said(b"".join(last)),
+        ],
+    )  # fmt: skip
 
 
 def _period(tags: NDArray[np.int32]) -> int:
@@ -205,50 +240,58 @@ def _period(tags: NDArray[np.int32]) -> int:
     return period if regular else 0
 
 
-def _draw_regular(mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int) -> bool:
+def _parted_regular(
+    mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int
+) -> Parted | None:
     """The stream is an interleaved array as it stands: nothing is copied."""
     stride = len(tags) * RECORD_BYTES
     count = len(stream) // stride
     if _EDGE_FLAG_TAG in tags or count <= head:
-        return False
+        return None
     base = int(np.frombuffer(stream, np.uint8).ctypes.data) + start * stride
     arrays = [
         (int(KIND[tag]), int(SIZE[tag]), base + i * RECORD_BYTES) for i, tag in enumerate(tags)
     ]
-    replay(stream[: head * stride])
-    gl.glEnd()
-    _draw_arrays(mode, count - start, arrays, stride)
-    replay(stream[-stride:-RECORD_BYTES])
-    return True
+    return Parted(
+        said(stream[: head * stride]),
+        lambda: [
+            *_arrays_drawn(mode, count - start, arrays, stride), said(stream[-stride:-RECORD_BYTES])
+        ],
+    )  # fmt: skip
 
 
-def _draw_arrays(mode: int, count: int, arrays: list[_Array], stride: int) -> None:
+def _arrays_drawn(mode: int, count: int, arrays: list[_Array], stride: int) -> list[Step]:
     """One glDrawArrays from these arrays alone."""
-    gl.glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT)
-    for state in _CLIENT_STATES:
-        gl.glDisableClientState(state)
-    with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
-        gl.glBindBuffer(GL_ARRAY_BUFFER, 0)
-    for unit in range(_texture_units(), -1, -1):
-        gl.glClientActiveTexture(GL_TEXTURE0 + unit)
-        gl.glDisableClientState(GL_TEXTURE_COORD_ARRAY)
+    steps = [*_put_away(_texture_units())]
     generic = _generic_arrays()
-    for index in generic:
-        gl.glDisableVertexAttribArray(index)
+    steps += [partial(gl.glDisableVertexAttribArray, index) for index in generic]
     for kind, size, address in arrays:
-        gl.glEnableClientState(_ARRAYS[kind])
+        steps.append(partial(gl.glEnableClientState, _ARRAYS[kind]))
         if kind == VERTEX:
-            gl.glVertexPointer(size, GL_FLOAT, stride, address)
+            steps.append(partial(gl.glVertexPointer, size, GL_FLOAT, stride, address))
         elif kind == NORMAL:
-            gl.glNormalPointer(GL_FLOAT, stride, address)
+            steps.append(partial(gl.glNormalPointer, GL_FLOAT, stride, address))
         elif kind == COLOR:
-            gl.glColorPointer(size, GL_FLOAT, stride, address)
+            steps.append(partial(gl.glColorPointer, size, GL_FLOAT, stride, address))
         else:
-            gl.glTexCoordPointer(size, GL_FLOAT, stride, address)
-    gl.glDrawArrays(mode, 0, count)
-    for index in generic:
-        gl.glEnableVertexAttribArray(index)
-    gl.glPopClientAttrib()
+            steps.append(partial(gl.glTexCoordPointer, size, GL_FLOAT, stride, address))
+    steps.append(partial(gl.glDrawArrays, mode, 0, count))
+    steps += [partial(gl.glEnableVertexAttribArray, index) for index in generic]
+    steps.append(gl.glPopClientAttrib)
+    return steps
+
+
+@lru_cache
+def _put_away(last_unit: int) -> tuple[Step, ...]:
+    """The app's arrays are kept, and off."""
+    steps: list[Step] = [partial(gl.glPushClientAttrib, GL_CLIENT_VERTEX_ARRAY_BIT)]
+    steps += [partial(gl.glDisableClientState, state) for state in _CLIENT_STATES]
+    with suppress(AttributeError):  # OpenGL 1.4 has no buffers to unbind
+        steps.append(partial(gl.glBindBuffer, GL_ARRAY_BUFFER, 0))
+    for unit in range(last_unit, -1, -1):
+        steps.append(partial(gl.glClientActiveTexture, GL_TEXTURE0 + unit))
+        steps.append(partial(gl.glDisableClientState, GL_TEXTURE_COORD_ARRAY))
+    return tuple(steps)
 
 
 def _generic_arrays() -> list[int]:

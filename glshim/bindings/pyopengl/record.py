@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from io import BytesIO
 from threading import get_ident
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
+from glshim.interrupts import at_once
 
 
 class Record:
@@ -56,8 +58,11 @@ class Record:
     def spill(self) -> None:
         """Send what is held back, call by call; the rest of the primitive follows at once."""
         if self.held is not None:
-            self.held, self.shadow = None, True
-            forward.replay(self.stream.getvalue())
+            at_once((
+                partial(setattr, self, "held", None),
+                partial(setattr, self, "shadow", True),
+                forward.said(self.stream.getvalue()),
+            ))  # fmt: skip
 
     def extend(self, records: bytes) -> None:
         """Add records of vertices that reached the driver another way."""

@@ -9,7 +9,7 @@ rest of the primitive goes straight through, recorded as well.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from io import BytesIO
 from threading import get_ident
@@ -19,9 +19,10 @@ from glshim.bindings.pyopengl import attributes, forward
 from glshim.bindings.pyopengl.conversions import enum
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
+from glshim.interrupts import Held, at_once, exhaust, in_turn
 from glshim.spec.attributes import ATTRIBUTES
 from glshim.spec.constants import GL_TRIANGLE_STRIP_ADJACENCY
-from glshim.spec.driver import quick
+from glshim.spec.driver import gl, quick
 
 _LOOK_OUT = 64
 """Primitives after a large one that may be large, too."""
@@ -105,25 +106,29 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 mode = enum(mode)
             if record.held is not None or record.shadow or not 0 <= mode <= _LAST_MODE:
                 return real(*args)
-            if record.sink is not None:
-                record.sink.begin(mode)
-            if expected:
-                expected -= 1
-                able = forward.able(mode)
-            elif able:
-                able = False
-            if careful:
-                real(*args)
-            else:
-                driver_begin(mode)
-            record.stream = stream = BytesIO()
-            record.write = write = stream.write
-            record.mode = mode
-            record.home = get_ident()
-            if careful:
-                record.shadow = True
-                return None
-            record.held = write
+            try:
+                if record.sink is not None:
+                    record.sink.begin(mode)
+                if expected:
+                    expected -= 1
+                    able = forward.able(mode)
+                elif able:
+                    able = False
+                record.stream = stream = BytesIO()
+                record.write = write = stream.write
+                record.mode = mode
+                record.home = get_ident()
+                if careful:
+                    real(*args)
+                    record.shadow = True
+                    return None
+                record.held = write
+            except BaseException:  # a signal handler's, before the primitive
+                record.held = None
+                if record.sink is not None:
+                    record.sink.refused()
+                raise
+            driver_begin(mode)  # what is raised now finds the primitive open
             return forward.check(real) if checked else None
 
         return begin
@@ -140,21 +145,39 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     record.sink.stray_end()
                 return real(*args)
             mode, records = record.mode, record.stream.getvalue()
-            record.held, record.shadow = None, False
+            parted = None
+            if held and len(records) >= forward.SMALL:
+                expected = _LOOK_OUT
+                if able and not record.list_open:
+                    parted = forward.parted(mode, records)
+            if careful:
+                whole: Iterable[Any] = ()
+            elif parted:
+                whole = in_turn((parted.head, gl.glEnd))
+            else:
+                whole = forward.saying(records + forward.END if held else forward.END)
+            drawn: list[bool] = []
             try:
-                if held and len(records) >= forward.SMALL:
-                    expected = _LOOK_OUT
-                    if able and not record.list_open and forward.draw(mode, records):
-                        return forward.check(real)
-                if held:
-                    forward.replay(records)
-                return real(*args)
+                try:
+                    exhaust(whole, 0)  # before it the primitive is open, after it no more
+                finally:
+                    record.held, record.shadow = None, False
+                if parted:
+                    at_once((*parted.rest(), partial(drawn.append, True)))
+                return real(*args) if careful else forward.check(real)
+            except BaseException:  # a signal handler's perhaps, in the middle
+                if parted and not drawn:
+                    with Held():
+                        at_once(parted.rest())
+                raise
             finally:
                 if record.sink is not None:
-                    record.sink.end(mode, records)
-                    if record.list_open:
-                        record.restart()
-                        record.loose = record.shadow = True
+                    try:
+                        record.sink.end(mode, records)
+                    finally:
+                        if record.list_open:
+                            record.restart()
+                            record.loose = record.shadow = True
 
         return end
 

@@ -12,6 +12,7 @@ from typing import Any
 from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.interrupts import Held
 from glshim.spec.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,
@@ -94,6 +95,10 @@ class Watch:
         def maker(real: Call) -> Call:
             inside = _RECORD.inside
 
+            def bracket(*args: Any) -> Any:
+                with Held():
+                    return hook(*args)
+
             def hook(*args: Any) -> Any:
                 if closes and _RECORD.list_open:
                     _RECORD.close_list()
@@ -106,7 +111,7 @@ class Watch:
                     if opens and not _RECORD.list_open and compiles_a_list():
                         _RECORD.open_list(capturing=False)
 
-            return hook
+            return bracket if opens or closes else hook
 
         return maker
 
@@ -159,6 +164,10 @@ class Watch:
     def _bracket(self, name: str, role: Role) -> Maker:
         def maker(real: Call) -> Call:
             def hook(*args: Any) -> Any:
+                with Held():  # what is known of a list is what is in it
+                    return bracket(*args)
+
+            def bracket(*args: Any) -> Any:
                 watcher = self._watcher
                 if role is Role.LIST_CLOSE:
                     if _RECORD.list_open:

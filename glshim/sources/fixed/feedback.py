@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.interrupts import Held
 from glshim.model.batch import PolygonBatch
 from glshim.model.polygons import fan
 from glshim.spec.ask import integer, pointer_of
@@ -93,7 +94,7 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
     Costs three or four runs of ``draw``: call once and keep the result. The GL state that ``draw``
     changes is put back, matrices included. Call outside glBegin/glEnd and open display lists.
     """
-    with _stage() as set_stage:
+    with Held(), _stage() as set_stage:
         radius = _FIRST_RADIUS
         while True:
             triangles, _ = _parse(_run(draw, set_stage, radius, GL_FILL), radius)

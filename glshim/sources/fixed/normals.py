@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.interrupts import is_ours
 from glshim.model.batch import PolygonBatch
 from glshim.sources.fixed.pointers import dtype_of, numbers_at
 from glshim.spec.attributes import (
@@ -87,7 +88,9 @@ def said(name: str, args: tuple[Any, ...]) -> bytes:
             return record(mapped(_values(call, args, 3)))
         type_ = _integer(args[0])
         (packed,) = _values(call, args[1:], 1).tolist()
-    except Exception:  # the driver took what we cannot read
+    except Exception as error:  # the driver took what we cannot read
+        if not is_ours(error):
+            raise
         return UNKNOWN
     return record(_unpacked(packed, type_)) if type_ in _PACKED else UNKNOWN
 

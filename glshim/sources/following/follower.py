@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.interrupts import Held, is_ours
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_fault, say_once
 from glshim.sources.arguments import name as name_among
@@ -70,14 +71,19 @@ class _StylingFault(Exception):
 
 
 def contained(method: F) -> F:
-    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`."""
+    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`. What a
+    signal handler of the app's raises meanwhile comes out of its call."""
     name = method.__name__
 
     @functools.wraps(method)
     def safe(self: Follower, *args: Any) -> Any:
         try:
             result = method(self, *args)
-        except Exception as error:
+        except BaseException as error:
+            if not is_ours(error):
+                with Held():
+                    self._drop()
+                raise
             self._contain(name, error)
             return None
         if self._in_a_row:
@@ -114,7 +120,7 @@ class Follower:
 
     # -- faults ----------------------------------------------------------------------------------
 
-    def _contain(self, told: str, error: Exception) -> None:
+    def _contain(self, told: str, error: BaseException) -> None:
         """A fault. In following, it costs what one call has drawn: that is said once, and following
         goes on. Where it comes again and again, or in the styler, it ends the styling."""
         if isinstance(error, _StylingFault):
@@ -351,9 +357,10 @@ class Follower:
 
     def _close(self, scene: Scene) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""
-        state, scene.drawing = scene.drawing, None
+        state = scene.drawing
         if state is not None:
             self._sink.uncover()
+            scene.drawing = None
         return state
 
     def _add(self, scene: Scene, state: DrawState, drawn: Drawn) -> None:
@@ -365,8 +372,11 @@ class Follower:
         layer = scene.layer.take()
         if layer.items:
             try:
-                self._sink.layer_ends(layer, scene)
+                with Held():
+                    self._sink.layer_ends(layer, scene)
             except Exception as error:
+                if not is_ours(error):
+                    raise
                 raise _StylingFault from error
 
     def _finish(self, scene: Scene) -> None:
@@ -394,7 +404,7 @@ _RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPE
 """When a new context at an old one's address is looked out for: a program that draws comes by."""
 
 
-def _place(error: Exception) -> str:
+def _place(error: BaseException) -> str:
     """Where a fault came up."""
     last = traceback.extract_tb(error.__traceback__)[-1]
     return f"{last.filename}:{last.lineno}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from types import TracebackType
 
+from glshim.interrupts import Held
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
@@ -66,15 +67,28 @@ class Guard:
     """``with Guard():`` saves on entry and restores on exit. Only where `possible` says so.
 
     Costs a few microseconds: the attribute stacks hold nearly everything, and the rest is asked
-    for and set again. An error the app has not fetched yet is put back.
+    for and set again. An error the app has not fetched yet is put back. Signal handlers of the
+    app's wait until it is left.
 
     The client's arrays are saved with no vertex array object bound: what is drawn inside may use
     the arrays of the context itself, and the app's objects are not looked into.
     """
 
-    __slots__ = ("_array", "_error", "_framebuffers", "_mode", "_program", "_switches", "_texture")
+    __slots__ = (
+        "_array", "_error", "_framebuffers", "_held", "_mode", "_program", "_switches", "_texture",
+    )  # fmt: skip
 
     def __enter__(self) -> Guard:
+        self._held = Held()
+        self._held.__enter__()
+        try:
+            self._save()
+        except BaseException:
+            self._held.__exit__()
+            raise
+        return self
+
+    def _save(self) -> None:
         self._error = gl.glGetError()
         number = version() or (1, 1)
         self._program = integer(GL_CURRENT_PROGRAM) if number >= (2, 0) else None
@@ -89,7 +103,6 @@ class Guard:
             gl.glBindVertexArray(0)
         gl.glPushAttrib(GL_ALL_ATTRIB_BITS)
         gl.glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS)
-        return self
 
     def __exit__(
         self,
@@ -97,6 +110,12 @@ class Guard:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
+        try:
+            self._restore()
+        finally:
+            self._held.__exit__()
+
+    def _restore(self) -> None:
         if self._program is not None:
             gl.glUseProgram(self._program)
         if self._framebuffers:

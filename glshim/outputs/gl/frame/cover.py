@@ -7,6 +7,7 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
+from glshim.interrupts import Held
 from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
@@ -40,16 +41,20 @@ class Cover:
         """Before the app's draw, outside primitives; no program of the app's is in use."""
         if self._surface == "app" or self._covered:
             return
+        # Each step can be undone before it is made, and twice: a signal handler may raise between.
         if self._surface in ("paint", "colours"):
-            self._covered = self._paint().begin()
+            paint = self._paint()
+            self._covered = True
+            self._covered = paint.begin()
             return
-        self._covered = True
         if isinstance(self._surface, str):
             self._mask = integers(GL_COLOR_WRITEMASK, 4)
+            self._covered = True
             gl.glColorMask(0, 0, 0, 0)
             return
         program = self._flat()
         self._enabled = [each for each in (GL_BLEND, GL_ALPHA_TEST) if is_enabled(each)]
+        self._covered = True
         for switch in self._enabled:
             gl.glDisable(switch)
         program.use({"colour": (*self._surface, 1.0)})
@@ -58,16 +63,15 @@ class Cover:
         """After it."""
         if not self._covered:
             return
-        self._covered = False
         if self._surface in ("paint", "colours"):
             self._paint().end()
-            return
-        if isinstance(self._surface, str):
+        elif isinstance(self._surface, str):
             gl.glColorMask(*(int(bool(m)) for m in self._mask))
-            return
-        gl.glUseProgram(0)
-        for switch in self._enabled:
-            gl.glEnable(switch)
+        else:
+            gl.glUseProgram(0)
+            for switch in self._enabled:
+                gl.glEnable(switch)
+        self._covered = False
 
     def release(self) -> None:
         """Delete what was made in the current context. Outside glBegin/glEnd."""
@@ -92,7 +96,8 @@ class Cover:
     def _paint(self) -> Paint:
         key = current_context(), self._surface == "paint"
         if key not in self._paints:
-            self._paints[key] = Paint(self._device(), textures=key[1])
+            with Held():
+                self._paints[key] = Paint(self._device(), textures=key[1])
         return self._paints[key]
 
     def _device(self) -> Device:
@@ -104,7 +109,7 @@ class Cover:
     def _flat(self) -> Program:
         context = current_context()
         if context not in self._flats:
-            self._flats[context] = self._device().program(
-                "surface", shader_text("surface.vert.glsl"), shader_text("surface.frag.glsl")
-            )
+            texts = shader_text("surface.vert.glsl"), shader_text("surface.frag.glsl")
+            with Held():
+                self._flats[context] = self._device().program("surface", *texts)
         return self._flats[context]

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glshim.errors import shown
+from glshim.interrupts import Held
 from glshim.notices import say
 from glshim.outputs.files import picture_target, write_picture
 from glshim.spec.ask import integer, integers, real
@@ -77,7 +78,7 @@ def grab(size: tuple[int, int] | None = None, framebuffer: int = 0) -> Image:
         _, _, *extent = integers(GL_VIEWPORT, 4)
         size = extent[0], extent[1]
     pixels = ctypes.create_string_buffer(size[0] * size[1] * 3)
-    with _plain_reading(framebuffer) as readable:
+    with Held(), _plain_reading(framebuffer) as readable:
         if readable:
             gl.glReadPixels(0, 0, *size, GL_RGB, GL_UNSIGNED_BYTE, pixels)
     return Image.frombytes("RGB", size, pixels.raw, "raw", "RGB", 0, -1)

@@ -62,6 +62,7 @@ class Paint:
     def begin(self) -> bool:
         """Before the app's draw; whether it is painted: what is drawn without light is paint as it
         is, but for its textures."""
+        self._turned_on = False
         lit = is_enabled(GL_LIGHTING)
         if not lit and self._textures:
             return False
@@ -74,8 +75,8 @@ class Paint:
                 "fog_given": integer(GL_FOG_COORD_SRC) == GL_FOG_COORD,
                 "normalised": 1 if unit else 2 * scaled, "made": _made(),
             }  # fmt: skip
-        self._program.use(values)
         self._turned_on = two_sided and not is_enabled(GL_VERTEX_PROGRAM_TWO_SIDE)
+        self._program.use(values)
         if self._turned_on:
             gl.glEnable(GL_VERTEX_PROGRAM_TWO_SIDE)
         return True
@@ -96,15 +97,17 @@ def _made() -> tuple[int, ...]:
     active = integer(GL_ACTIVE_TEXTURE)
     found = []
     mode = ctypes.c_int()
-    for unit in range(_UNITS):
-        gl.glActiveTexture(GL_TEXTURE0 + unit)
-        for k in range(4):
-            made = 0
-            if is_enabled(GL_TEXTURE_GEN_S + k):
-                gl.glGetTexGeniv(GL_S + k, GL_TEXTURE_GEN_MODE, ctypes.addressof(mode))
-                made = _MADE.get(mode.value, 0)
-            found.append(made)
-    gl.glActiveTexture(active)
+    try:
+        for unit in range(_UNITS):
+            gl.glActiveTexture(GL_TEXTURE0 + unit)
+            for k in range(4):
+                made = 0
+                if is_enabled(GL_TEXTURE_GEN_S + k):
+                    gl.glGetTexGeniv(GL_S + k, GL_TEXTURE_GEN_MODE, ctypes.addressof(mode))
+                    made = _MADE.get(mode.value, 0)
+                found.append(made)
+    finally:
+        gl.glActiveTexture(active)
     return tuple(found)
 
 
