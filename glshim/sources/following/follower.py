@@ -71,8 +71,8 @@ class _StylingFault(Exception):
 
 
 def contained(method: F) -> F:
-    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`. What a
-    signal handler of the app's raises meanwhile comes out of its call."""
+    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`. What
+    a signal handler of the app's raises meanwhile comes out of its call."""
     name = method.__name__
 
     @functools.wraps(method)
