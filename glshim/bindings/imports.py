@@ -35,7 +35,7 @@ def after_import(name: str, action: Action) -> None:
 
 
 def _run(action: Action, module: ModuleType) -> None:
-    from glshim.interrupts import Held
+    from glshim.system.interrupts import Held
 
     try:
         with Held():

@@ -9,11 +9,11 @@ from typing import ClassVar
 from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.notices import say
-from glshim.outputs.files import PAGES, PICTURES, picture_target
 from glshim.running import subjects
 from glshim.running.gallery.runs import Run, run_all, styled
 from glshim.running.gallery.tiles import PLAIN, Tile, file_names, tile
 from glshim.styling import registry, texts
+from glshim.system.writing import PAGES, PICTURES, picture_target
 
 _SECONDS = 180.0
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from glshim.errors import shown
 from glshim.notices import say, say_once
-from glshim.outputs.files import add_picture
 from glshim.outputs.gl.frame.grab import grab
-from glshim.styling.files import has_elevated_rights
+from glshim.system.reading import has_elevated_rights
+from glshim.system.writing import add_picture
 from glshim.toolkits import frames
 
 _MOST_NAME = 200

@@ -14,8 +14,8 @@ from pathlib import Path
 from glshim.errors import GlshimError
 from glshim.notices import forget, say, say_fault
 from glshim.styling import texts
-from glshim.styling.files import read_small
 from glshim.styling.protocol import Styler
+from glshim.system.reading import read_small
 from glshim.toolkits import frames
 
 INTERVAL = 0.25

@@ -13,8 +13,8 @@ from glshim.errors import GlshimError, StyleError
 from glshim.notices import say, say_fault
 from glshim.running import environment, stillness
 from glshim.styling import texts
-from glshim.styling.files import has_elevated_rights
 from glshim.styling.protocol import Styler
+from glshim.system.reading import has_elevated_rights
 from glshim.toolkits import Part, frames, keyboard
 from glshim.toolkits.frames import Stage
 from glshim.toolkits.moment import MOMENT

@@ -10,10 +10,10 @@ from pathlib import Path
 from types import ModuleType
 
 from glshim.errors import StyleError, nearest
-from glshim.styling.files import has_elevated_rights, read_small
 from glshim.styling.former import advice
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
+from glshim.system.reading import has_elevated_rights, read_small
 
 SUFFIX = ".py"
 _MODULE = "glshim_style_file_"

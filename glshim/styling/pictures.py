@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import StyleError, shown
-from glshim.styling.files import require_regular
+from glshim.system.reading import require_regular
 
 _MOST = 4096
 """Pixels a side that every driver takes; larger pictures are made smaller."""

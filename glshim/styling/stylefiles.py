@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import Any
 
 from glshim.errors import StyleError, unknown
-from glshim.styling.files import read_small
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
+from glshim.system.reading import read_small
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -19,8 +19,8 @@ from enum import IntEnum
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
-from glshim.interrupts import Held
 from glshim.notices import say_fault
+from glshim.system.interrupts import Held
 
 Result = TypeVar("Result")
 Size = tuple[int, int]

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from typing import Protocol
 
-from glshim.interrupts import is_ours as is_fault
 from glshim.notices import say_fault
+from glshim.system.interrupts import is_ours as is_fault
 
 MODIFIERS = ("ctrl", "alt", "shift")
 SPECIAL = ("Insert", "Home", "End", "PageUp", "PageDown")

@@ -12,30 +12,30 @@ ROOT = Path(__file__).parents[2]
 LONGEST = 420
 """About 400 lines: past that a file holds two things."""
 
-EVERYWHERE = ("glshim.errors", "glshim.interrupts", "glshim.notices")
+EVERYWHERE = ("glshim.errors", "glshim.system.interrupts", "glshim.notices")
 """Modules that every room may import."""
 ROOMS = {
+    "system": (),
     "model": (),
-    "spec": (),
-    "bindings": ("model", "spec"),
-    "toolkits": ("bindings", "spec"),
-    "sources": ("model", "spec", "bindings"),
+    "spec": ("system",),
+    "bindings": ("system", "model", "spec"),
+    "toolkits": ("system", "bindings", "spec"),
+    "sources": ("system", "model", "spec", "bindings"),
     "geometry": ("model",),
-    "styling": ("model", "geometry"),
+    "styling": ("system", "model", "geometry"),
     "linework": ("model", "geometry", "styling"),
-    "outputs": ("model", "spec", "geometry", "styling", "linework"),
+    "outputs": ("system", "model", "spec", "geometry", "styling", "linework"),
     "pipeline": ("model", "spec", "bindings", "toolkits", "sources", "styling", "outputs"),
-    "control": ("model", "styling", "toolkits", "outputs", "pipeline"),
+    "control": ("system", "model", "styling", "toolkits", "outputs", "pipeline"),
     "running": (
-        "model", "spec", "bindings", "toolkits", "styling", "outputs", "pipeline", "control",
+        "system", "model", "spec", "bindings", "toolkits", "styling", "outputs", "pipeline",
+        "control",
     ),
     "checks": ("model", "spec", "geometry", "styling", "outputs", "pipeline", "running"),
-    "commands": ("spec", "toolkits", "styling", "outputs", "control", "running", "checks"),
+    "commands": ("system", "spec", "toolkits", "styling", "control", "running", "checks"),
 }  # fmt: skip
 """What each room may import besides itself, in the order of the flow."""
-TOP = {
-    "__init__.py", "__main__.py", "errors.py", "interrupts.py", "notices.py", "pipeline.py",
-}  # fmt: skip
+TOP = {"__init__.py", "__main__.py", "errors.py", "notices.py", "pipeline.py"}
 """All that lies at the top: public names, the way to the command line, and the composition root."""
 
 

@@ -16,7 +16,6 @@ from glshim.sources import arguments
 from glshim.sources.fixed import fetch
 from glshim.sources.fixed.arrays import Array, Unfetchable
 from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners
-from glshim.spec import memory
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
     GL_FLOAT,
@@ -28,6 +27,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT,
     GL_UNSIGNED_SHORT,
 )
+from glshim.system import memory
 
 _TYPES = {GL_UNSIGNED_BYTE: "u1", GL_UNSIGNED_SHORT: "u2", GL_UNSIGNED_INT: "u4"}
 _NORMALS = Array(3, GL_FLOAT, 0, 0, 1 << 40)

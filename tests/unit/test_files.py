@@ -14,11 +14,11 @@ from PIL import Image
 
 from glshim.control import pictures
 from glshim.errors import StyleError
-from glshim.outputs.files import add_picture, picture_target, write_picture
 from glshim.outputs.gl.frame import grab
-from glshim.styling import files
-from glshim.styling.files import MOST_BYTES, read_small
 from glshim.styling.pictures import read_image
+from glshim.system import reading as files
+from glshim.system.reading import MOST_BYTES, read_small
+from glshim.system.writing import add_picture, picture_target, write_picture
 
 RED, BLUE = Image.new("RGB", (4, 3), "red"), Image.new("RGB", (4, 3), "blue")
 ENDINGS = {"toml": "", "py": ":Mine"}

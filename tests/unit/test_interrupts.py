@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from glshim.interrupts import Held, at_once, is_ours
+from glshim.system.interrupts import Held, at_once, is_ours
 
 
 class Timeout(Exception):

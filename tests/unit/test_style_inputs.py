@@ -16,11 +16,11 @@ from glshim.errors import StyleError
 from glshim.running import environment
 from glshim.running.shots.plan import Plan
 from glshim.styling import fromfile, registry
-from glshim.styling.files import MOST_BYTES
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Styler
 from glshim.styling.stylefiles import StyleFile
 from glshim.styling.texts import MOST_FILES, parse_style
+from glshim.system.reading import MOST_BYTES
 from tests import sweep
 
 MOST_SECONDS = 2.0

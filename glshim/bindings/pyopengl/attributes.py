@@ -15,8 +15,8 @@ from glshim.bindings.pyopengl import forward
 from glshim.bindings.pyopengl.conversions import INTEGERS, LISTED, as_c_takes
 from glshim.bindings.pyopengl.raw import Call, Maker
 from glshim.bindings.pyopengl.record import Record
-from glshim.interrupts import is_ours
 from glshim.spec.attributes import Attribute
+from glshim.system.interrupts import is_ours
 
 _MISSING: Any = object()
 _SEQUENCES = (list, tuple, ndarray)

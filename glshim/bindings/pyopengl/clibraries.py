@@ -11,7 +11,6 @@ from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.interrupts import is_ours
 from glshim.notices import say_fault
 from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
 from glshim.spec.driver import gl
@@ -26,6 +25,7 @@ from glshim.spec.shapes import (
     ShapeRole,
     shape_role,
 )
+from glshim.system.interrupts import is_ours
 
 _SETTINGS = frozenset((ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION))
 

@@ -8,8 +8,8 @@ from struct import Struct
 from typing import Any
 
 from glshim.bindings.pyopengl.forward import ELEMENTS
-from glshim.interrupts import is_ours
 from glshim.spec.attributes import Attribute
+from glshim.system.interrupts import is_ours
 
 
 def enum(value: Any) -> int:

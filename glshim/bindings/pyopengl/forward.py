@@ -16,7 +16,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.interrupts import exhaust
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.attributes import (
     BY_NAME,
@@ -61,6 +60,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import obstacles_to_client_arrays
 from glshim.spec.driver import current_context, gl, quick
+from glshim.system.interrupts import exhaust
 
 SMALL = 128 * RECORD_BYTES
 """Below this many bytes a replay is quicker than setting up arrays (measured)."""
@@ -98,7 +98,7 @@ ELEMENTS: dict[str, Any] = {
 """C types by the type letters of attributes."""
 
 Step = Callable[[], Any]
-"""A call of C's with its arguments: `glshim.interrupts.at_once` makes it."""
+"""A call of C's with its arguments: `glshim.system.interrupts.at_once` makes it."""
 
 _calls: list[Callable[..., Any]] = []
 """By tag."""

@@ -9,7 +9,7 @@ from threading import get_ident
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
-from glshim.interrupts import at_once
+from glshim.system.interrupts import at_once
 
 
 class Record:

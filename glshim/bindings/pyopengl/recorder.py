@@ -19,10 +19,10 @@ from glshim.bindings.pyopengl import attributes, forward
 from glshim.bindings.pyopengl.conversions import enum
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
-from glshim.interrupts import Held, at_once, exhaust, in_turn
 from glshim.spec.attributes import ATTRIBUTES
 from glshim.spec.constants import GL_TRIANGLE_STRIP_ADJACENCY
 from glshim.spec.driver import gl, quick
+from glshim.system.interrupts import Held, at_once, exhaust, in_turn
 
 _LOOK_OUT = 64
 """Primitives after a large one that may be large, too."""

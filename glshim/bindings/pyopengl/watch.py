@@ -12,7 +12,6 @@ from typing import Any
 from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.interrupts import Held
 from glshim.spec.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,
@@ -23,6 +22,7 @@ from glshim.spec.roles import (
     Role,
     role_of,
 )
+from glshim.system.interrupts import Held
 
 _RECORD = RECORDER.record
 _SPILLING = INSIDE | LIST_BRACKETS | LIST_CALLS

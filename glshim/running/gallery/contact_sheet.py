@@ -7,9 +7,9 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
-from glshim.outputs.files import write_picture
 from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.tiles import Tile
+from glshim.system.writing import write_picture
 
 _WIDTH = 400
 """Pixels of a picture on the sheet."""

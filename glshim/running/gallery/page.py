@@ -12,8 +12,8 @@ from urllib.parse import quote
 
 from PIL import Image
 
-from glshim.outputs.files import write_html
 from glshim.running.gallery.tiles import Tile
+from glshim.system.writing import write_html
 
 
 def write_page(path: Path, title: str, tiles: Sequence[Tile], columns: int, sheet: Path) -> None:

@@ -16,10 +16,10 @@ from types import FrameType
 from typing import IO
 
 from glshim.errors import EnvironmentFault
-from glshim.outputs.files import picture_target
 from glshim.running import environment, launch
 from glshim.running.headless import virtual_screen
 from glshim.running.subjects import surroundings
+from glshim.system.writing import picture_target
 
 AT_ONCE = 2
 _FAILURES = ("is switched off", "runs unstyled")

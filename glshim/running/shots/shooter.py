@@ -14,7 +14,6 @@ from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.errors import RenderError
 from glshim.notices import say
-from glshim.outputs.files import write_picture
 from glshim.outputs.gl.frame.grab import grab
 from glshim.outputs.output import WINDOW, Destination
 from glshim.running.shots.calls import Calls, convert
@@ -36,6 +35,7 @@ from glshim.spec.constants import (
     GL_VIEWPORT,
 )
 from glshim.spec.driver import current_context, gl
+from glshim.system.writing import write_picture
 from glshim.toolkits import frames
 
 _UNLIKE = 24

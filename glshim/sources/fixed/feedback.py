@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.interrupts import Held
 from glshim.model.batch import PolygonBatch
 from glshim.model.polygons import fan
 from glshim.spec.ask import integer, pointer_of
@@ -61,6 +60,7 @@ from glshim.spec.constants import (
     GL_RENDER,
 )
 from glshim.spec.driver import gl
+from glshim.system.interrupts import Held
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

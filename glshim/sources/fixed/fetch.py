@@ -18,7 +18,6 @@ from glshim.sources.arguments import address_of, number, signed, unsigned
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.arrays import DTYPES, Array, Unfetchable, normal_array, vertex_array
 from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners
-from glshim.spec import memory
 from glshim.spec.ask import integer, of_buffer
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
@@ -35,6 +34,7 @@ from glshim.spec.context import restarts_primitives
 from glshim.spec.draws import Signature, signature_of
 from glshim.spec.driver import current_context, gl
 from glshim.spec.roles import Role
+from glshim.system import memory
 
 _INDICES = {GL_UNSIGNED_BYTE: np.uint8, GL_UNSIGNED_SHORT: np.uint16, GL_UNSIGNED_INT: np.uint32}
 _BINDINGS = {

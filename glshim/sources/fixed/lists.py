@@ -25,7 +25,6 @@ from glshim.sources.fixed.immediate import assemble_many, transformed
 from glshim.sources.fixed.matrices import matrix_of
 from glshim.sources.fixed.pointers import numbers_at
 from glshim.sources.source import Call, Primitive
-from glshim.spec import memory
 from glshim.spec.constants import (
     GL_BYTE,
     GL_CURRENT_BIT,
@@ -42,6 +41,7 @@ from glshim.spec.constants import (
 from glshim.spec.matrices import MATRIX_CALLS
 from glshim.spec.roles import Role, role_of
 from glshim.spec.shapes import Shape
+from glshim.system import memory
 
 _NESTING = 64
 _NAMES = 0xFFFFFFFF

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.interrupts import is_ours
 from glshim.model.batch import PolygonBatch
 from glshim.sources.fixed.pointers import dtype_of, numbers_at
 from glshim.spec.attributes import (
@@ -36,6 +35,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT_2_10_10_10_REV,
 )
 from glshim.spec.roles import INSIDE, Role, role_of
+from glshim.system.interrupts import is_ours
 
 Floats = NDArray[np.float32]
 

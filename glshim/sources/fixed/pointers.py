@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.sources.arguments import address_of
-from glshim.spec import memory
+from glshim.system import memory
 
 _DTYPES: dict[str, type[np.generic]] = {
     "b": np.int8, "s": np.int16, "i": np.int32, "ui": np.uint32, "f": np.float32, "d": np.float64,

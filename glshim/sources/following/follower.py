@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Any, Protocol, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
-from glshim.interrupts import Held, is_ours
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_fault, say_once
 from glshim.sources.arguments import name as name_among
@@ -30,6 +29,7 @@ from glshim.spec.roles import (
     Role,
 )
 from glshim.spec.shapes import Shape
+from glshim.system.interrupts import Held, is_ours
 
 _COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 _PICK_AREA = 64

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from types import TracebackType
 
-from glshim.interrupts import Held
 from glshim.spec.ask import integer, is_enabled
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
@@ -36,6 +35,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
 from glshim.spec.driver import gl
+from glshim.system.interrupts import Held
 
 _STACKS = (
     (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),

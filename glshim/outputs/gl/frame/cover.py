@@ -7,7 +7,6 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
-from glshim.interrupts import Held
 from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
@@ -15,6 +14,7 @@ from glshim.spec.ask import integers, is_enabled
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
 from glshim.spec.driver import current_context, gl
 from glshim.styling.protocol import Colour
+from glshim.system.interrupts import Held
 
 
 class Cover:

@@ -10,9 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from glshim.errors import shown
-from glshim.interrupts import Held
 from glshim.notices import say
-from glshim.outputs.files import picture_target, write_picture
 from glshim.spec.ask import integer, integers, real
 from glshim.spec.constants import (
     GL_BACK,
@@ -46,6 +44,8 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_fixed_function, number_of_any_api, version
 from glshim.spec.driver import gl
+from glshim.system.interrupts import Held
+from glshim.system.writing import picture_target, write_picture
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -13,7 +13,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
-from glshim.styling.files import open_regular
+from glshim.system.reading import open_regular
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,0 +1,1 @@
+"""What the interpreter and the operating system do below us: files, memory, signals."""
