@@ -21,7 +21,7 @@ from tests import sweep
 
 from .world import HEIGHT, WIDTH, styled, window
 
-INTERRUPTS = 3000 if sweep.FULL else 150
+INTERRUPTS = 3000 if sweep.FULL else 100
 STYLES = (None, "none", "raskar", "technical", "cartoon", "two_pass", "shadow")
 INTEGERS = (
     GL.GL_ATTRIB_STACK_DEPTH, GL.GL_CLIENT_ATTRIB_STACK_DEPTH, GL.GL_MODELVIEW_STACK_DEPTH,
@@ -129,6 +129,12 @@ class Frames:
         return bytes(found)
 
 
+def alike(found: bytes, right: bytes) -> bool:
+    """But for a rounding: what is known of a sphere depends on how large it was first."""
+    shades = np.frombuffer(found + right, np.uint8).reshape(2, -1).astype(int)
+    return int(np.abs(shades[0] - shades[1]).max()) <= 2
+
+
 def recover() -> None:
     """What a program does that was interrupted anywhere in its frame."""
     with suppress(GL.GLError):
@@ -138,6 +144,7 @@ def recover() -> None:
         pass
 
 
+@pytest.mark.parametrize("interrupts", [Interrupt, KeyboardInterrupt], indirect=True)
 @pytest.mark.parametrize("style", STYLES)
 def test_a_frame_interrupted_anywhere(
     style: str | None, interrupts: Interrupts, capfd: pytest.CaptureFixture[str]
@@ -155,8 +162,8 @@ def test_a_frame_interrupted_anywhere(
             assert (matrices() == places).all()
             if turn % 25 == 24:
                 frames.picture()
-                assert frames.picture() == right
-        assert frames.picture() == right
+                assert alike(frames.picture(), right)
+        assert alike(frames.picture(), right)
     assert interrupts.raised == interrupts.caught == INTERRUPTS
     assert "glshim" not in capfd.readouterr().err
 

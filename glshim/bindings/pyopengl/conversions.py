@@ -16,7 +16,9 @@ def enum(value: Any) -> int:
     """An enum given as something that ctypes takes for an integer; -1 for anything else."""
     try:
         return index(getattr(value, "value", value))
-    except TypeError:
+    except TypeError as error:
+        if not is_ours(error):
+            raise
         return -1
 
 
