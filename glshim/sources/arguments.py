@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from glshim.system.interrupts import is_ours
+
 
 def integer_of(value: Any) -> int:
     """An integer, given plain, by numpy or by ctypes. Raises TypeError for anything else."""
@@ -50,7 +52,9 @@ def number(args: tuple[Any, ...], position: int) -> int:
     """A GLint or GLsizei among arguments; 0 where there is none, as the binding will say."""
     try:
         return signed(args[position])
-    except (IndexError, TypeError, ValueError):
+    except (IndexError, TypeError, ValueError) as error:
+        if not is_ours(error):
+            raise
         return 0
 
 
@@ -74,11 +78,14 @@ def address_of(value: Any) -> int:
         raise TypeError(f"a {type(value).__name__} has no address")
     try:
         return int(ctypes.cast(value, ctypes.c_void_p).value or 0)  # all of ctypes; bytes
-    except (TypeError, ValueError, ctypes.ArgumentError):
-        pass
+    except (TypeError, ValueError, ctypes.ArgumentError) as error:
+        if not is_ours(error):
+            raise
     from OpenGL.arrays import ArrayDatatype
 
     try:
         return int(ArrayDatatype.voidDataPointer(value).value or 0)
     except Exception as error:  # of whatever handler PyOpenGL has for it
+        if not is_ours(error):
+            raise
         raise TypeError(f"the address of a {type(value).__name__} is not known") from error

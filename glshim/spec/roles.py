@@ -146,14 +146,14 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.TARGET, r"glFramebufferDrawBuffers?EXT"),
     (Role.FLUSH, r"glFlush|glFinish"),
     (Role.BUFFER_WRITE, r"glBuffer(Sub)?(Data|Storage)(ARB|EXT)?"),
-    (Role.BUFFER_WRITE, r"glCopyBufferSubData"),
     (Role.BUFFER_WRITE, r"gl(Unm|M)apBuffer(Range)?(ARB|EXT)?"),
     (Role.BUFFER_WRITE, r"glClearBuffer(Sub)?Data(EXT)?|glFlushMappedBufferRange(APPLE|EXT)?"),
     (Role.NAMED_BUFFER_WRITE, r"glNamedBuffer(Sub)?(Data|Storage)(ARB|EXT)?"),
     (Role.NAMED_BUFFER_WRITE, r"gl(Unm|M)apNamedBuffer(Range)?(ARB|EXT)?"),
-    (Role.NAMED_BUFFER_WRITE, r"glCopyNamedBufferSubData|glClearNamedBuffer(Sub)?Data(EXT)?"),
+    (Role.NAMED_BUFFER_WRITE, r"glClearNamedBuffer(Sub)?Data(EXT)?"),
     (Role.NAMED_BUFFER_WRITE, r"glFlushMappedNamedBufferRange(EXT)?"),
     (Role.BUFFERS_WRITE, r"glDeleteBuffers(ARB)?"),
+    (Role.BUFFERS_WRITE, r"glCopy(Named)?BufferSubData"),  # the first argument is read from
     (Role.BUFFERS_WRITE, r"glInvalidateBuffer(Sub)?Data|gl(Begin|End)TransformFeedback(NV|EXT)?"),
     (Role.CLIP_PLANE, r"glClipPlane[fx]?(OES|IMG)?"),
 )  # fmt: skip

@@ -143,6 +143,38 @@ def test_a_buffer_written_while_no_style_was_on_is_read_again(window: None) -> N
     assert picture(one, 0.4) == picture(other, 0.4)
 
 
+def test_a_buffer_copied_from_another_is_read_again(window: None) -> None:
+    """The call names the buffer that is read first; the other one has changed."""
+    GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+    source, shown, fresh = (int(name) for name in GL.glGenBuffers(3))
+
+    def fill(buffer: int, size: float) -> int:
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
+        corners = np.array([(-size, -size), (size, -size), (size, size), (-size, size)], "f4")
+        GL.glBufferData(GL.GL_ARRAY_BUFFER, corners.nbytes, corners, GL.GL_STATIC_DRAW)
+        return corners.nbytes
+
+    def picture(buffer: int) -> bytes:
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
+        GL.glVertexPointer(2, GL.GL_FLOAT, 0, None)
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glDrawArrays(GL.GL_QUADS, 0, 4)
+        return bytes(GL.glReadPixels(0, 0, 64, 64, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+
+    glshim.install("raskar:ink=#ff0000")
+    fill(shown, 0.7)
+    before = picture(shown)
+    size = fill(source, 0.4)
+    GL.glBindBuffer(GL.GL_ARRAY_BUFFER, source)  # what is read is bound to where arrays are
+    GL.glBindBuffer(GL.GL_COPY_WRITE_BUFFER, shown)
+    GL.glCopyBufferSubData(GL.GL_ARRAY_BUFFER, GL.GL_COPY_WRITE_BUFFER, 0, 0, size)
+    copied = picture(shown)
+    fill(fresh, 0.4)
+    expected = picture(fresh)
+    glshim.uninstall()
+    assert copied == expected != before
+
+
 # -- a style switched while the app runs -----------------------------------------------------------
 # Programs in a process each; they say at which frame which style comes, and write the last picture.
 

@@ -42,6 +42,7 @@ from glshim.spec.matrices import MATRIX_CALLS
 from glshim.spec.roles import Role, role_of
 from glshim.spec.shapes import Shape
 from glshim.system import memory
+from glshim.system.interrupts import is_ours
 
 _NESTING = 64
 _NAMES = 0xFFFFFFFF
@@ -68,7 +69,9 @@ class Change:
         if call is not None and call.element and len(args) == 1:
             try:
                 args = (numbers_at(args[0], call.element, 16),)
-            except TypeError:
+            except TypeError as error:
+                if not is_ours(error):
+                    raise
                 args = ()
         return cls(name, args)
 
@@ -335,8 +338,10 @@ class _Walk:
             call = MATRIX_CALLS[change.name]
             try:
                 matrix = matrix_of(call, change.args)
-            except (ArithmeticError, TypeError, ValueError):  # GL makes an error of it, or we miss
-                return
+            except (ArithmeticError, TypeError, ValueError) as error:
+                if not is_ours(error):
+                    raise
+                return  # GL makes an error of it, or we miss
             self._matrix = matrix if call.loads else self._matrix @ matrix
             self._loaded = self._loaded or call.loads
 
@@ -355,7 +360,9 @@ def list_names(role: Role, args: Sequence[Any], base: int) -> tuple[int, ...]:
         return ()
     try:
         raw = memory.read(address_of(given[2]), count * np.dtype(dtype).itemsize)
-    except TypeError:
+    except TypeError as error:
+        if not is_ours(error):
+            raise
         raw = None
     if raw is None:
         say_once("unstyled: glCallLists, because the names of its lists cannot be read")
