@@ -30,7 +30,8 @@ class LineFinder:
         self.objects = Objects(cache_bytes)
         self._past: AgingCache[tuple[Past, ...]] = AgingCache(cache_bytes // 16, longest_rest=8)
         self._crowd: tuple[Hashable, Edges, Indices] | None = None
-        self._known: dict[Hashable, Floats] = {}
+        self._known: dict[Hashable, tuple[Floats, Group]] = {}
+        """With the group, whose name holds addresses: no other object may take them meanwhile."""
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -44,10 +45,10 @@ class LineFinder:
         features of the meshes that its batches make together; all but intersections. The same
         lines drawn in several coats of a layer are found once."""
         name = group.name
-        records = self._known.get(name)
-        if records is None:
-            records = self._known[name] = self._records(group)
-        return records
+        known = self._known.get(name)
+        if known is None:
+            known = self._known[name] = self._records(group), group
+        return known[0]
 
     def _records(self, group: Group) -> Floats:
         wanted = group.wanted
