@@ -4,7 +4,7 @@ The package ``stub`` stands for one with the usual parts: a window that is shown
 queue of events, a request for another frame, a clock. To add a toolkit, copy this file, give it the
 name of the toolkit's package, leave out what cannot be done and say so in `lacks`. No other file
 changes: start-up, `glshim doctor` and clocks that stand still read it from here. The contract test
-asks for a stand-in of the package in `tests/contract/toolkit_rigs.py`, and runs on it.
+asks for a stand-in of the package in the folder `tests/contract/toolkits`, and runs on it.
 """
 
 from __future__ import annotations

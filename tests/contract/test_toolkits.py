@@ -24,7 +24,7 @@ from glshim.toolkits.qt import Qt
 from glshim.toolkits.wx import Wx
 
 from .toolkit_checks import CHECKS
-from .toolkit_rigs import RIGS, Rig
+from .toolkits import RIGS, Rig
 
 ROOT = Path(__file__).parents[2]
 

@@ -11,7 +11,7 @@ from glshim.toolkits import Part, frames, keyboard
 from glshim.toolkits.base import Toolkit
 from glshim.toolkits.frames import Stage
 
-from .toolkit_rigs import SIZE, Rig
+from .toolkits import SIZE, Rig
 
 
 @contextmanager

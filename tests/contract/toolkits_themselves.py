@@ -13,7 +13,7 @@ from glshim.bindings.pyopengl.raw import hook_function_below
 from glshim.toolkits import Part
 
 from .toolkit_checks import CHECKS
-from .toolkit_rigs import SIZE, Rig
+from .toolkits import SIZE, Rig
 
 
 class GlfwItself(Rig):

@@ -1,0 +1,100 @@
+"""Qt by each of its bindings: a widget that paints, or a window that swaps."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any, ClassVar
+
+from glshim.toolkits.qt import Qt
+
+from .rig import SIZE, Rig
+
+
+class QtRig(Rig):
+    """A widget that paints, or (swaps) a window that swaps by itself."""
+
+    takes_early = True
+    framebuffer = 7
+    MODULES: ClassVar = {
+        "PyQt5": ("QtWidgets", "QOpenGLWidget", "QtGui", "QOpenGLContext"),
+        "PySide2": ("QtGui", "QOpenGLWindow", "QtGui", "QOpenGLContext"),
+        "PyQt6": ("QtOpenGLWidgets", "QOpenGLWidget", "QtGui", "QOpenGLContext"),
+        "PySide6": ("QtOpenGL", "QOpenGLWindow", "QtOpenGL", "QGLWidget"),
+    }
+    """Where a binding has the classes of the rig."""
+
+    def __init__(self, binding: str, *, swaps: bool = False) -> None:
+        super().__init__(Qt(binding))
+        self.binding, self.swaps = binding, swaps
+        self.shows_by_itself = not swaps
+        self.asked = 0
+        self.filters: list[Any] = []
+
+        class Widget:
+            def devicePixelRatio(_: Any) -> float:
+                return 2.0
+
+            def width(_: Any) -> int:
+                return SIZE[0] // 2
+
+            def height(_: Any) -> int:
+                return SIZE[1] // 2
+
+            def defaultFramebufferObject(_: Any) -> int:
+                return 7
+
+            def update(_: Any) -> None:
+                self.asked += 1
+
+        self.widget_class = type("Widget", (Widget,), {})
+        self.swapper = type("Swapper", (), {"swapBuffers": lambda this, *_: self.shown()})
+        app = SimpleNamespace(
+            installEventFilter=self.filters.append, removeEventFilter=self.filters.remove)
+        paints, widget, swap, swapper = self.MODULES[binding]
+        core = SimpleNamespace(
+            QObject=object, QCoreApplication=SimpleNamespace(instance=lambda: app))
+        parts: dict[str, Any] = {f"{binding}.QtCore": core}
+        for part in ("QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets"):
+            parts[f"{binding}.{part}"] = SimpleNamespace()
+        setattr(parts[f"{binding}.{paints}"], widget, self.widget_class)
+        setattr(parts[f"{binding}.{swap}"], swapper, self.swapper)
+        self.modules = parts
+
+    def take(self) -> None:
+        if self.swaps:
+            return
+        rig = self
+
+        class App(self.widget_class):  # type: ignore[misc, name-defined]
+            def paintGL(self) -> int:
+                return rig.shown()
+
+        self.app_class = App
+
+    def open(self) -> None:
+        self.window = (self.widget_class if self.swaps else self.app_class)()
+
+    def present(self) -> Any:
+        if self.swaps:
+            return self.swapper().swapBuffers(self.window)
+        return self.window.paintGL()
+
+    def key(self, name: str, down: bool) -> None:
+        code = 0x0100002F + int(name[1:]) if len(name) > 1 else ord(name)
+        event = SimpleNamespace(
+            type=lambda: 6 if down else 7, key=lambda: code, modifiers=lambda: 0,
+            isAutoRepeat=lambda: False)  # fmt: skip
+        if not any(each.eventFilter(None, event) for each in self.filters):
+            self.got.append((name, down))
+
+    def redraws(self) -> int:
+        return self.asked
+
+
+RIGS: dict[str, Callable[[], Rig]] = {
+    **{f"{binding}, painting": functools.partial(QtRig, binding) for binding in QtRig.MODULES},
+    **{f"{binding}, swapping": functools.partial(QtRig, binding, swaps=True)
+       for binding in QtRig.MODULES},
+}  # fmt: skip
