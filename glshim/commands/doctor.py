@@ -31,6 +31,8 @@ _LIBRARIES = {
     "GLE": "libgle3",
 }
 
+_UNTESTED = "untested: nobody of ours could run it, so look before you rely on it"
+
 
 class Doctor(Command):
     """Exit status: 0, or 1 where something will not work here."""
@@ -160,10 +162,14 @@ def _toolkits() -> None:
              f"a frame ends at {first}")  # fmt: skip
         for other in others:
             _row("", f"or at {other}")
+        _row("", f"tested with {toolkit.tested}" if toolkit.tested else _UNTESTED)
         for part, effect in toolkit.lacks.items():
             _row("", f"without {part.value}: {effect}")
     if missing:
         _row("not installed", ", ".join(missing))
+    untested = [toolkit.name for toolkit in toolkits.used() if not toolkit.tested]
+    if untested:
+        _row("untested", f"{', '.join(untested)}: written, but nobody of ours could run it")
 
 
 def print_startup_cost() -> int:

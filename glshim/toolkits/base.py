@@ -95,6 +95,9 @@ class Toolkit:
     may_raise: bool = True
     """Whether an exception that leaves its present call gets through to the app's main loop."""
     lacks: ClassVar[Lacks] = MappingProxyType({})
+    tested: str = ""
+    """What glshim was tried with, for people: ``PySDL2 0.9.17 on X``. Empty where nobody of ours
+    could run it, which `glshim doctor` says."""
     example: bool = False
     """Whether it is there to be read and tested, and not for use."""
 

@@ -29,6 +29,7 @@ class Glfw(Toolkit):
     """It swaps any window, and wakes programs that wait for events by an empty one."""
 
     name = package = "glfw"
+    tested = "glfw 2.11 on X"
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "glfw", self.hook_swaps, "glfw.swap_buffers")

@@ -34,6 +34,7 @@ class Glut(Toolkit):
 
     name, package, distribution = "GLUT", "OpenGL", "PyOpenGL"
     may_raise = False
+    tested = "freeglut 3 on X"
 
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)

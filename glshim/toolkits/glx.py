@@ -14,6 +14,7 @@ class Glx(Toolkit):
     """One function of PyOpenGL's raw layer."""
 
     name, package, distribution = "GLX, Tk by pyopengltk", "OpenGL", "PyOpenGL"
+    tested = "pyopengltk 0.0.4 on X"
     lacks: ClassVar[Lacks] = {
         Part.SIZE: "the viewport's size counts as the window's",
         Part.KEYS: "live control hears no key",

@@ -25,6 +25,7 @@ class Pygame(Toolkit):
     VIDEOEXPOSE, for programs that draw when there is an event."""
 
     name = package = "pygame"
+    tested = "pygame 2.6 on X"
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "pygame.display", self.hook_presents, "pygame.display.flip")

@@ -32,6 +32,8 @@ KEY_PRESS, KEY_RELEASE, SHORTCUT_OVERRIDE = 6, 7, 51
 """QEvent::Type; the last, which asks whether a shortcut of the app's may have a key, comes before
 the key itself."""
 
+_TESTED = {"PyQt5": "PyQt5 5.15.11 on X"}
+
 
 class Qt(Toolkit):
     """One binding. Qt calls back from C++: PyQt aborts on an exception."""
@@ -42,6 +44,7 @@ class Qt(Toolkit):
     def __init__(self, package: str, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
         self.name = self.package = package
+        self.tested = _TESTED.get(package, "")
         self._painting = False
         self._classes: weakref.WeakSet[Any] = weakref.WeakSet()
         """Those whose `paintGL` is ours."""

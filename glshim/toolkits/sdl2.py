@@ -17,6 +17,7 @@ class Sdl2(Toolkit):
     """ctypes functions, which are hooked in place."""
 
     name, package, distribution = "SDL2", "sdl2", "PySDL2"
+    tested = "PySDL2 0.9.17 on X"
     lacks: ClassVar[Lacks] = {
         Part.KEYS: "live control hears no key",
         Part.REDRAW: "a program that draws on demand shows a new style with its next frame",

@@ -31,6 +31,7 @@ class Stub(Toolkit):
     distribution = ""  # where pip knows it by another name
     may_raise = True  # False where it calls back from C, which swallows exceptions
     lacks: ClassVar[Lacks] = {}  # Part.CLOCK: "what a user notices of that"
+    tested = "the stand-in of the contract test"  # with what you have tried it yourself
     example = True  # of this file alone
 
     def __init__(self, moment: Moment = MOMENT) -> None:
