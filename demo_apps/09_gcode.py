@@ -17,8 +17,8 @@ from OpenGL import GL, GLU, GLUT
 from OpenGL.arrays import vbo
 
 try:
-    from demo_apps.gcode import BadFile, Strand, parsed
-except ModuleNotFoundError:  # started as a file: its folder is on the path
+    from .gcode import BadFile, Strand, parsed
+except ImportError:  # started as a file: its folder is on the path
     from gcode import BadFile, Strand, parsed
 
 SIZE = (640, 480)

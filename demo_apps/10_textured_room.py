@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from OpenGL import GL, GLU
 
 try:
-    from demo_apps.level import FINE, LEVEL, TEXTURES, WATER, Level
-except ModuleNotFoundError:  # started as a file: its folder is on the path
+    from .level import FINE, LEVEL, TEXTURES, WATER, Level
+except ImportError:  # started as a file: its folder is on the path
     from level import FINE, LEVEL, TEXTURES, WATER, Level
 
 SIZE = (640, 480)

@@ -17,6 +17,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from glshim_stylers.crease import Crease
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.fins import Fins
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 from PIL import Image
 
@@ -24,10 +28,6 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Styler
-from stylers.crease import Crease
-from stylers.edge_mesh import EdgeMesh
-from stylers.fins import Fins
-from stylers.raskar import Raskar
 from tests import look
 from tests.score import meshes, truth
 

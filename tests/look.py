@@ -15,13 +15,13 @@ from pathlib import Path
 import glfw
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.raskar import Raskar
 
 
 def batch(points, polygons, key=None) -> PolygonBatch:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from stylers.raskar import Raskar
+from glshim_stylers.raskar import Raskar
 
 LINES = ("silhouettes", "ridges", "valleys", "intersections")
 

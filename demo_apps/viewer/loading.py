@@ -8,6 +8,7 @@ import os
 import pickle
 import subprocess
 import sys
+from importlib import import_module
 from pathlib import Path
 from queue import Empty, Queue
 from threading import Thread
@@ -88,6 +89,4 @@ class Loading:
 
 if __name__ == "__main__":
     # By its own name: what it sends is found again under that.
-    from demo_apps.viewer.loading import work as run
-
-    run(sys.argv[1])
+    import_module(__spec__.name).work(sys.argv[1])

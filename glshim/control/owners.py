@@ -13,7 +13,7 @@ from types import CodeType, ModuleType
 from glshim.control.keys import KEYS
 
 _INSTALLED = ("site-packages", "dist-packages")
-_OURS = ("glshim", "stylers")
+_OURS = ("glshim", "glshim_stylers")
 
 
 @cache

@@ -14,8 +14,9 @@ from glshim.running import stillness
 from glshim.running.environment import parse_frames
 from glshim.styling import texts
 
-VIEWER = "demo_apps.viewer"
-_SHAPES = "demo_apps.shapes"
+VIEWER = "glshim_demos.viewer"
+"""`demo_apps/viewer`, under the name by which it is installed."""
+_SHAPES = "glshim_demos.shapes"
 _MODELS = (".obj", ".ply", ".stl", ".gltf", ".glb")
 
 

@@ -38,17 +38,19 @@ MODULES = {
     "glshim.geometry.vectors": "glshim.model.vectors",
     "glshim.options": "glshim.styling.texts",
     "glshim.render": "glshim.outputs.gl",
-    "stylers.crossings": "stylers.shared.intersections",
-    "stylers.edge_mesh.tones": "stylers.shared.tones",
-    "stylers.hand": "stylers.shared.hand",
-    "stylers.options": "stylers.shared.options",
-    "stylers.shading": "stylers.shared.shading",
+    "stylers.crossings": "glshim_stylers.shared.intersections",
+    "stylers.edge_mesh.tones": "glshim_stylers.shared.tones",
+    "stylers.hand": "glshim_stylers.shared.hand",
+    "stylers.options": "glshim_stylers.shared.options",
+    "stylers.shading": "glshim_stylers.shared.shading",
+    "stylers.shared": "glshim_stylers.shared",
     "stylers.strokes": "glshim.styling.textures",
+    "stylers": "glshim_stylers",
 }
 """Modules of 0.1, or packages, that stylers may have imported, and where what they held is now."""
 PAGE = "docs/writing_a_styler.md"
 _FROM = re.compile(r"from\s+([\w.]+)\s+import\s+\(?([\w, ]*)")
-_MODULE = re.compile(r"(?:glshim|stylers)(?:\.\w+)+")
+_MODULE = re.compile(r"(?:glshim_stylers|glshim|stylers)(?:\.\w+)+")
 _NAME = re.compile(r"cannot import name '(\w+)'")
 
 

@@ -87,7 +87,7 @@ def _wait(number: int, frame: FrameType | None) -> None:
 
 def _is_of_the_shim(frame: FrameType) -> bool:
     name = frame.f_globals.get("__name__")
-    return isinstance(name, str) and name.partition(".")[0] in ("glshim", "stylers")
+    return isinstance(name, str) and name.partition(".")[0] in ("glshim", "glshim_stylers")
 
 
 def _hold() -> bool:

@@ -9,10 +9,11 @@ from typing import ClassVar
 from glshim.styling.media.hand import hand, outlines
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
-from stylers.blueprint.dimensions import dimensions
-from stylers.shared import options
-from stylers.shared.hand import ByHand, strokes
-from stylers.shared.hand.paper import Paper, under
+
+from ..shared import options
+from ..shared.hand import ByHand, strokes
+from ..shared.hand.paper import Paper, under
+from .dimensions import dimensions
 
 
 @dataclass(frozen=True)

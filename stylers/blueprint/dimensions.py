@@ -13,7 +13,8 @@ from glshim.styling.lines import Shader
 from glshim.styling.media.ink import STROKE, TRACE
 from glshim.styling.pictures import Image
 from glshim.styling.protocol import Colour, Layer, Lines
-from stylers.shared.hand import Hand, features
+
+from ..shared.hand import Hand, features
 
 _CHARACTERS = "0123456789."
 _WIDE, _HIGH = 28, 44

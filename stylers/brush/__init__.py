@@ -17,9 +17,10 @@ from glshim.styling.media.hand import brush
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
 from glshim.styling.textures.brushes import BRUSHES
-from stylers.brush.paint import Paint, painted
-from stylers.shared import options
-from stylers.shared.hand import ByHand, strokes
+
+from ..shared import options
+from ..shared.hand import ByHand, strokes
+from .paint import Paint, painted
 
 
 @dataclass(frozen=True)

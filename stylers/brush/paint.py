@@ -10,8 +10,9 @@ from math import floor
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass
 from glshim.styling.protocol import Colour, Layer
-from stylers.shared.hand.paper import laid
-from stylers.shared.tones import tone_shader
+
+from ..shared.hand.paper import laid
+from ..shared.tones import tone_shader
 
 
 @dataclass(frozen=True, slots=True)

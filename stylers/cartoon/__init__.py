@@ -15,10 +15,11 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from glshim.styling.values import Body, Uniform
-from stylers.shared import options
-from stylers.shared.features import feature_lines
-from stylers.shared.intersections import intersection_lines
-from stylers.shared.shading import (
+
+from ..shared import options
+from ..shared.features import feature_lines
+from ..shared.intersections import intersection_lines
+from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
     by_light,

@@ -21,7 +21,8 @@ from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.protocol import Colour, Layer, Styler, option
 from glshim.styling.textures import made
 from glshim.styling.values import Body, Uniform
-from stylers.shared import options
+
+from ..shared import options
 
 
 def _shaders(name: str) -> tuple[MeshShader, MeshShader]:

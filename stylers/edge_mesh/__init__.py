@@ -16,9 +16,10 @@ from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from glshim.styling.textures import made
 from glshim.styling.wishes import Features
-from stylers.edge_mesh.paper import PaperLook, paper_passes
-from stylers.shared import options
-from stylers.shared.tones import TONES, tone_passes
+
+from ..shared import options
+from ..shared.tones import TONES, tone_passes
+from .paper import PaperLook, paper_passes
 
 _KINDS = {
     "contours": "contour", "ridges": "ridge", "valleys": "valley", "marked": "marked",

@@ -23,7 +23,8 @@ from glshim.styling.passes import (
 )
 from glshim.styling.pictures import Image, is_coloured
 from glshim.styling.values import Body, Colour, Layer, Uniform
-from stylers.shared.screen import SCREEN
+
+from ..shared.screen import SCREEN
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
 """The order of what `PaperLook` says of each kind."""

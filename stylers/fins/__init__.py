@@ -18,8 +18,9 @@ from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.protocol import Colour, Layer, Styler, option
 from glshim.styling.values import Uniform
-from stylers.fins.lighting import Lighting, relit
-from stylers.shared import options
+
+from ..shared import options
+from .lighting import Lighting, relit
 
 
 def _shader(name: str, fragment: str, *defined: str) -> MeshShader:

@@ -12,7 +12,8 @@ from math import isfinite
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
 from glshim.styling.values import Body, Colour, Place, Uniform
-from stylers.shared.shading import lenses, lit_passes, screen_shader
+
+from ..shared.shading import lenses, lit_passes, screen_shader
 
 SURFACE = screen_shader(
     "fins surface", glsl(__file__, "surface.frag"), lamps=False

@@ -16,8 +16,9 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, Primitives, State
 from glshim.styling.protocol import Colour, Layer, Styler, option
 from glshim.styling.values import Uniform
-from stylers.fur.scale import scale_of
-from stylers.shared import options
+
+from ..shared import options
+from .scale import scale_of
 
 _FRAGMENT = glsl(__file__, "fur.frag")
 _NEEDS = ("app_colour", "rest", "light")

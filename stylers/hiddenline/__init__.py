@@ -12,10 +12,11 @@ from typing import Any, ClassVar, cast
 
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
-from stylers.shared import options
-from stylers.shared.features import feature_lines
-from stylers.shared.intersections import intersection_lines
-from stylers.shared.tones import tone_passes
+
+from ..shared import options
+from ..shared.features import feature_lines
+from ..shared.intersections import intersection_lines
+from ..shared.tones import tone_passes
 
 _WHITE: Colour = (1.0, 1.0, 1.0)
 

@@ -15,10 +15,11 @@ from typing import ClassVar
 from glshim.styling.media.hand import pencil
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
-from stylers.pencil.rubbing import Rubbing, rubbed
-from stylers.shared import options
-from stylers.shared.hand import ByHand, strokes
-from stylers.shared.hand.hatching import Hatching, hatched
+
+from ..shared import options
+from ..shared.hand import ByHand, strokes
+from ..shared.hand.hatching import Hatching, hatched
+from .rubbing import Rubbing, rubbed
 
 
 @dataclass(frozen=True)

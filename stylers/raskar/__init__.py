@@ -14,7 +14,8 @@ from typing import ClassVar
 from glshim.styling.media.ink import ink
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from glshim.styling.wishes import Choice
-from stylers.shared import options
+
+from ..shared import options
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import Actions, MeshShader, Pass, Primitives, State, Stencil
 from glshim.styling.protocol import Colour, Layer, Styler, option
 from glshim.styling.values import Body, Place, Uniform
-from stylers.shared import options
+
+from ..shared import options
 
 _LIT = 255
 """The stencil of what no volume holds: what it begins with. Counts wrap round it."""

@@ -8,7 +8,8 @@ from math import radians
 from glshim.styling.media.ink import Hidden, ink
 from glshim.styling.protocol import Colour, Layer, Lines
 from glshim.styling.wishes import Features
-from stylers.shared.options import folds
+
+from .options import folds
 
 
 def feature_lines(

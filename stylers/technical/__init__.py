@@ -16,10 +16,11 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
 from glshim.styling.values import Uniform
-from stylers.shared import options
-from stylers.shared.features import feature_lines
-from stylers.shared.intersections import intersection_lines, is_dense
-from stylers.shared.shading import (
+
+from ..shared import options
+from ..shared.features import feature_lines
+from ..shared.intersections import intersection_lines, is_dense
+from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
     by_light,
@@ -28,7 +29,7 @@ from stylers.shared.shading import (
     lit_passes,
     screen_shader,
 )
-from stylers.shared.tones import tone_passes
+from ..shared.tones import tone_passes
 
 _SHADER = screen_shader("gooch", glsl(__file__, "gooch.frag"), bent=NEAR_ENOUGH)
 _WHITE: Colour = (1.0, 1.0, 1.0)

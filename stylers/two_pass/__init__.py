@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.styling.protocol import BackFaces, Colour, Layer, Styler, option
-from stylers.shared import options
+
+from ..shared import options
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,11 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import ClassVar
 
+from glshim_stylers.edge_mesh.paper import PaperLook, paper_passes
+
 from glshim.running.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
-from stylers.edge_mesh.paper import PaperLook, paper_passes
 
 SCENE = "display list, 100k polygons"
 CONTOURS = (True, False, False, False, False)

@@ -18,11 +18,12 @@ from dataclasses import dataclass, replace
 from statistics import median
 from typing import ClassVar
 
+from glshim_stylers.crease import Crease
+from glshim_stylers.fins import Fins, as_printed
+
 from glshim.running.headless import virtual_screen
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
-from stylers.crease import Crease
-from stylers.fins import Fins, as_printed
 
 SCENES = {
     count: f"{count} object{'s' * (count > 1)}, 112,000 triangles" for count in (1, 10, 100)

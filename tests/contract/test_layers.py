@@ -35,6 +35,10 @@ ROOMS = {
     "commands": ("system", "spec", "toolkits", "styling", "control", "running", "checks"),
 }  # fmt: skip
 """What each room may import besides itself, in the order of the flow."""
+OURS = ("glshim", "stylers", "demo_apps")
+INSTALLED_AS = ("glshim_stylers", "glshim_demos")
+"""What `stylers` and `demo_apps` are called once installed. Inside they import relatively, so that
+they do not depend on it."""
 TOP = {"__init__.py", "__main__.py", "errors.py", "notices.py", "pipeline.py"}
 """All that lies at the top: public names, the way to the command line, and the composition root."""
 
@@ -71,7 +75,7 @@ def strangers(paths: list[Path], allowed: tuple[str, ...]) -> list[str]:
         f"{path.relative_to(ROOT)}: {module}"
         for path in paths
         for module in imports(path)
-        if module.partition(".")[0] in ("glshim", "stylers", "demo_apps", "tests")
+        if module.partition(".")[0] in (*OURS, *INSTALLED_AS, "tests")
         and not any(is_below(module, part) for part in allowed)
     ]
 
@@ -96,7 +100,7 @@ def test_stylers_see_values_formulas_and_the_protocol() -> None:
 
 def test_references_of_shaders_are_for_tests_alone() -> None:
     room = "glshim.geometry.references"
-    shipped = sources("glshim", "stylers", "demo_apps")
+    shipped = sources(*OURS)
     users = [path for path in shipped if any(is_below(name, room) for name in imports(path))]
     assert [path for path in users if path.parent.name != "references"] == []
 
@@ -196,7 +200,7 @@ def test_demo_apps_are_ordinary_programs() -> None:
     assert found == []
 
 
-@pytest.mark.parametrize("path", sources("glshim", "stylers", "demo_apps"), ids=str)
+@pytest.mark.parametrize("path", sources(*OURS), ids=str)
 def test_a_file_is_short_enough_to_read(path: Path) -> None:
     lines = len(path.read_text(encoding="utf-8").splitlines())
     assert lines <= LONGEST

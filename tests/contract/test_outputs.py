@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from glshim_stylers.cartoon import Cartoon
+from glshim_stylers.raskar import Raskar
 
 from glshim import pipeline
 from glshim.errors import RenderError
@@ -19,8 +21,6 @@ from glshim.styling.lines import Lines
 from glshim.styling.options import option
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Styler
-from stylers.cartoon import Cartoon
-from stylers.raskar import Raskar
 from tests import look
 
 

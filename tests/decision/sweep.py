@@ -6,11 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.raskar import Raskar
 from tests import look
 from tests.decision.folds import DEPTH, HALF_LENGTH, Variant, View, items, placed
 

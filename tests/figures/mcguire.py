@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from glshim_stylers.edge_mesh.paper import PaperLook, paper_passes
 from PIL import Image
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.edge_mesh.paper import PaperLook, paper_passes
 from tests import look
 
 SIZE = 400

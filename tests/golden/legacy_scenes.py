@@ -10,6 +10,8 @@ import dataclasses
 import sys
 
 import numpy as np
+from glshim_stylers.raskar import Raskar
+from glshim_stylers.shared.hand import Hand, strokes
 from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
@@ -17,8 +19,6 @@ from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.media.hand import hand, outlines
 from glshim.styling.protocol import Layer, Styler
-from stylers.raskar import Raskar
-from stylers.shared.hand import Hand, strokes
 from tests import look
 
 PORT = (0, 0, 400, 400)

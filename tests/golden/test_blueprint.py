@@ -6,14 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.blueprint import Blueprint
+from glshim_stylers.blueprint.dimensions import characters
 
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.frame.frame import depth_margin
 from glshim.styling.protocol import Layer, Lines
-from stylers.blueprint import Blueprint
-from stylers.blueprint.dimensions import characters
 from tests import look
 from tests.captured import CapturingPen
 

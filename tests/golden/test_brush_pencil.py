@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from glshim_stylers.brush import Brush
+from glshim_stylers.pencil import Pencil
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.brush import Brush
-from stylers.pencil import Pencil
 from tests import look
 
 SIZE = 400

@@ -6,10 +6,10 @@ from functools import cache
 
 import numpy as np
 import pytest
+from glshim_stylers.crease import Crease
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from stylers.crease import Crease
 from tests import creased, look
 from tests.sweep import some
 

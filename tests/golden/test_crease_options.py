@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.crease import Crease
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.crease import Crease
 from tests import creased, look
 from tests.golden.test_crease import cameras, wide
 from tests.golden.test_fins_reference import inside_out

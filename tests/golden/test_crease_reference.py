@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.crease import CREASES, SILHOUETTES
 
 from glshim.geometry.crease.creases import creases
 from glshim.geometry.recovery.mesh import mesh as recovered
@@ -14,7 +15,6 @@ from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
-from stylers.crease import CREASES, SILHOUETTES
 from tests import creased, look
 from tests.captured import CapturingRunner
 from tests.golden.test_crease import wide

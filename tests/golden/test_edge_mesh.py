@@ -10,6 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.raskar import Raskar
 
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.window import window
@@ -19,8 +21,6 @@ from glshim.model.lines import CONTOUR, SUGGESTIVE, Line, group_of, kind_of
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Features
-from stylers.edge_mesh import EdgeMesh
-from stylers.raskar import Raskar
 from tests import coherence, look, surfaces
 from tests.golden.test_legacy import LEGACY, widened
 from tests.score import meshes as scored
@@ -348,7 +348,7 @@ import sys
 import numpy as np
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
-from stylers.edge_mesh import EdgeMesh
+from glshim_stylers.edge_mesh import EdgeMesh
 from tests import look
 from tests.score import meshes
 

@@ -8,6 +8,7 @@ from math import cos, radians
 
 import numpy as np
 import pytest
+from glshim_stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes
 from OpenGL import GL
 
 from glshim.geometry.meshshaders.edge_mesh import features
@@ -20,7 +21,6 @@ from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.passes.runner import seen_from
 from glshim.styling.protocol import Layer
 from glshim.styling.values import Body
-from stylers.edge_mesh.paper import CAP, KINDS, QUAD, PaperLook, paper_passes
 from tests import look
 from tests.captured import CapturingRunner
 from tests.decision import edge_mesh as decision

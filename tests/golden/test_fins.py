@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.fins import Fins, as_printed
 from OpenGL import GL
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.fins import Fins, as_printed
 from tests import look
 from tests.golden.test_fins_reference import MESHES, mobius
 

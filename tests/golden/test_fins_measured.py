@@ -7,6 +7,7 @@ from itertools import islice
 
 import numpy as np
 import pytest
+from glshim_stylers.fins import Fins
 from OpenGL import GL
 
 from glshim.geometry.meshshaders.extent import Extent
@@ -14,7 +15,6 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.fins import Fins
 from tests import flicker, look
 from tests.benchmarks.fins import Unsieved
 from tests.score import meshes, views

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from glshim_stylers.fins import Fins, as_printed
 
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import mesh as recovered
@@ -14,7 +15,6 @@ from glshim.geometry.references.fins import drawn_sides, facing, fins
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.guard import Guard
 from glshim.styling.protocol import Layer
-from stylers.fins import Fins, as_printed
 from tests import look
 from tests.captured import CapturingRunner
 

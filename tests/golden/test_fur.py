@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from glshim_stylers.fur import Fur
 from OpenGL import GL
 
 from glshim.geometry.recovery.mesh import mesh
@@ -22,7 +23,6 @@ from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.passes.meshes import Residents
 from glshim.styling.protocol import Layer
-from stylers.fur import Fur
 from tests import look
 from tests.golden.test_lines_state import _hostile, _ordinary, _queries, _state
 

@@ -9,6 +9,11 @@ from typing import ClassVar
 
 import numpy as np
 import pytest
+from glshim_stylers.brush import Brush
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.pencil import Pencil
+from glshim_stylers.shared.hand import Hand, strokes
+from glshim_stylers.sketch import Sketch
 from PIL import Image
 
 from glshim.model.camera import Camera
@@ -17,11 +22,6 @@ from glshim.styling.media.hand import hand
 from glshim.styling.protocol import Layer, Styler
 from glshim.styling.textures.brushes import BRUSHES, brush
 from glshim.styling.wishes import Pattern
-from stylers.brush import Brush
-from stylers.edge_mesh import EdgeMesh
-from stylers.pencil import Pencil
-from stylers.shared.hand import Hand, strokes
-from stylers.sketch import Sketch
 from tests import coherence, look
 from tests.golden.test_legacy import widened
 from tests.sweep import some

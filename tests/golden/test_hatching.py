@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.shared.hand.hatching import Hatching, hatched
 from OpenGL import GL
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.shared.hand.hatching import Hatching, hatched
 from tests import look
 
 CAMERA = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))

@@ -7,12 +7,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.raskar import Raskar
 from tests import look, oracle
 from tests.sweep import some
 

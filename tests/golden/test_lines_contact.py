@@ -8,6 +8,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
 from glshim.geometry.edges.edges import edges
@@ -20,7 +21,6 @@ from glshim.outputs.gl.device.triangles import triangles
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Choice
-from stylers.raskar import Raskar
 from tests import look, oracle
 from tests.sweep import some
 

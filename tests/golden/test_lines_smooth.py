@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
 from glshim.geometry.raskar import Strokes
@@ -13,7 +14,6 @@ from glshim.model.camera import Camera
 from glshim.model.lines import RIDGE
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.raskar import Raskar
 from tests import look
 
 SIZE = 400

@@ -7,6 +7,7 @@ import ctypes
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
 from glshim.errors import RenderError
@@ -16,7 +17,6 @@ from glshim.outputs.gl.device.devices import LegacyDevice, attach
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
-from stylers.raskar import Raskar
 from tests import look
 
 STYLE = Raskar(silhouette_width=4, ridge_width=4)

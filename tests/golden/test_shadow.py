@@ -6,12 +6,12 @@ from __future__ import annotations
 import glfw
 import numpy as np
 import pytest
+from glshim_stylers.shadow import Shadow
 from OpenGL import GL
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from stylers.shadow import Shadow
 from tests import look
 
 SIZE = 120

@@ -6,16 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from glshim_stylers.cartoon import Cartoon
+from glshim_stylers.hiddenline import HiddenLine
+from glshim_stylers.shared.shading import UPPER_LEFT
+from glshim_stylers.technical import Technical
 from OpenGL import GL
 
 from glshim.model.camera import Camera
 from glshim.model.lights import Light, Lighting, banded, gooch, incoming
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer, Lines
-from stylers.cartoon import Cartoon
-from stylers.hiddenline import HiddenLine
-from stylers.shared.shading import UPPER_LEFT
-from stylers.technical import Technical
 from tests import look
 
 RADIUS = 1.2

@@ -6,12 +6,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 from PIL import Image
 
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.texts import parse_style
-from stylers.raskar import Raskar
 from tests import look
 
 SIZE = 400

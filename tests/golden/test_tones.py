@@ -8,6 +8,8 @@ import sys
 
 import numpy as np
 import pytest
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.shared.tones import TONES, tone_passes
 from OpenGL import GL
 from PIL import Image
 
@@ -15,8 +17,6 @@ from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.colours import parse_colour
 from glshim.styling.protocol import Layer
-from stylers.edge_mesh import EdgeMesh
-from stylers.shared.tones import TONES, tone_passes
 from tests import look
 
 CAMERA = Camera(look.look_at((3, 2, 2)), look.perspective(), (0, 0, 400, 400))

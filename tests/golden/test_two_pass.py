@@ -8,6 +8,7 @@ from itertools import pairwise
 import glfw
 import numpy as np
 import pytest
+from glshim_stylers.two_pass import TwoPass
 from OpenGL import GL
 
 from glshim.model.batch import PolygonBatch
@@ -16,7 +17,6 @@ from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
-from stylers.two_pass import TwoPass
 from tests import look, oracle
 from tests.differential.test_contexts import cube
 from tests.differential.world import run
@@ -34,7 +34,7 @@ from glshim.outputs.gl import fixed
 from tests.differential.test_contexts import cube
 from tests.differential.world import run
 from tests.golden.test_two_pass import inked
-from stylers.two_pass import TwoPass
+from glshim_stylers.two_pass import TwoPass
 
 def missing(*args):
     raise AssertionError("no fixed-function call")
@@ -56,7 +56,7 @@ OLDEST = """
 from glshim.spec.driver import gl
 from tests import look
 from tests.golden.test_two_pass import CAMERA, ink_of
-from stylers.two_pass import TwoPass
+from glshim_stylers.two_pass import TwoPass
 
 def missing(*args):
     raise AssertionError("1.1 has no such function")
@@ -78,7 +78,7 @@ import glfw
 from OpenGL import GL
 from glshim.errors import RenderError
 from glshim.outputs.gl.fixed import FixedPen
-from stylers.two_pass import TwoPass
+from glshim_stylers.two_pass import TwoPass
 from glshim.styling.protocol import Layer
 from tests import look
 from tests.differential.world import styled, window

@@ -198,7 +198,7 @@ def test_a_key_that_the_user_names_goes_before_shortcuts_of_the_programs(
 
 def test_the_viewer_speaks_of_our_keys_and_leaves_them_to_us(display: str, tmp_path: Path) -> None:
     styles = {"GLSHIM_KEYS": "on", "GLSHIM_STYLES": "raskar:ink=#ff0000"}
-    with running("-m demo_apps.viewer", display, tmp_path, **styles) as program:
+    with running("-m glshim_demos.viewer", display, tmp_path, **styles) as program:
         program.press(9)
         program.press(12)
         name, picture = program.saved()

@@ -8,11 +8,12 @@ from dataclasses import dataclass, field, fields
 from itertools import chain
 from typing import Any
 
+from glshim_stylers.crease import Crease
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.fins import Fins
+from glshim_stylers.raskar import Raskar
+
 from glshim.styling.protocol import Styler
-from stylers.crease import Crease
-from stylers.edge_mesh import EdgeMesh
-from stylers.fins import Fins
-from stylers.raskar import Raskar
 from tests.score import truth
 from tests.score.smooth import CREASE_ANGLE
 

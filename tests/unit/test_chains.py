@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from glshim_stylers.raskar import Raskar
 
 from glshim.geometry.recovery.mesh import mesh
 from glshim.geometry.window import window
@@ -16,7 +17,6 @@ from glshim.model.lines import CONTOUR, GROUPS, RECORD, RIDGE, VALLEY, Line, gro
 from glshim.styling.lines import Lines, Medium
 from glshim.styling.values import Layer
 from glshim.styling.wishes import Features
-from stylers.raskar import Raskar
 from tests import look
 
 SIZE = (0, 0, 400, 400)

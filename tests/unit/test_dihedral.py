@@ -6,6 +6,12 @@ from math import cos, degrees
 
 import numpy as np
 import pytest
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.raskar import Raskar
+from glshim_stylers.shared.hand import Hand
+from glshim_stylers.shared.hand import features as features_of_hand
+from glshim_stylers.shared.options import folds
+from glshim_stylers.technical import Technical
 
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
@@ -22,12 +28,6 @@ from glshim.model.lines import RIDGE, VALLEY, kind_of
 from glshim.styling.media.hand import hand
 from glshim.styling.values import Layer
 from glshim.styling.wishes import Choice
-from stylers.edge_mesh import EdgeMesh
-from stylers.raskar import Raskar
-from stylers.shared.hand import Hand
-from stylers.shared.hand import features as features_of_hand
-from stylers.shared.options import folds
-from stylers.technical import Technical
 from tests import look
 
 SIZE = (0, 0, 400, 400)

@@ -6,6 +6,8 @@ import dataclasses
 
 import numpy as np
 import pytest
+from glshim_stylers.fur import Fur
+from glshim_stylers.fur.scale import scale_of
 
 from glshim.errors import StyleError
 from glshim.geometry.recovery.mesh import mesh
@@ -15,8 +17,6 @@ from glshim.styling.options import options_of
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer
 from glshim.styling.values import Body
-from stylers.fur import Fur
-from stylers.fur.scale import scale_of
 from tests import look
 
 VIEW = look.look_at((0, -5, 0))

@@ -6,6 +6,7 @@ import dataclasses
 from pathlib import Path
 
 import pytest
+from glshim_stylers.raskar import Raskar
 from hypothesis import example, given
 from hypothesis import strategies as st
 from PIL import Image
@@ -21,7 +22,6 @@ from glshim.styling.texts import (
     split_styles,
 )
 from glshim.styling.textures import MADE
-from stylers.raskar import Raskar
 
 
 def test_a_name_gives_the_defaults() -> None:

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from glshim_stylers.raskar import Raskar
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import registry
 from glshim.styling.descriptions import of_look
 from glshim.styling.texts import parse_style
-from stylers.raskar import Raskar
 
 
 @pytest.fixture(autouse=True)

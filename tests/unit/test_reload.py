@@ -7,12 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from glshim_stylers.raskar import Raskar
 
 from glshim.control.reload import INTERVAL, Reloader
 from glshim.errors import StyleError
 from glshim.styling.protocol import Styler
 from glshim.styling.texts import parse_style
-from stylers.raskar import Raskar
 
 
 class Bench:

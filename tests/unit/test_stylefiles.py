@@ -6,6 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from glshim_stylers.edge_mesh import EdgeMesh
+from glshim_stylers.raskar import Raskar
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -15,8 +17,6 @@ from glshim.styling.colours import parse_colour
 from glshim.styling.options import options_of
 from glshim.styling.stylefiles import StyleFile, features, find
 from glshim.styling.texts import parse_style
-from stylers.edge_mesh import EdgeMesh
-from stylers.raskar import Raskar
 
 Write = Callable[..., str]
 

@@ -11,8 +11,9 @@ from glshim.styling.media.hand import reseeded
 from glshim.styling.protocol import Styler
 from glshim.styling.values import Layer
 from glshim.styling.wishes import Choice, Features
-from stylers.shared.intersections import looked_for
-from stylers.shared.options import folds
+
+from ..intersections import looked_for
+from ..options import folds
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,8 @@ from glshim.geometry.crease.creases import Criterion
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Colour, Layer, Uniform
-from stylers.shared.tones import grain
+
+from ..tones import grain
 
 ON = -1
 """The coat: over the paper, under the lines."""

@@ -10,7 +10,8 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass
 from glshim.styling.protocol import Colour, Layer
 from glshim.styling.values import Uniform
-from stylers.shared.tones import over_windows, tone_shader
+
+from ..tones import over_windows, tone_shader
 
 _UNDER = -2
 """The coat: hatching and strokes go over it."""

@@ -17,7 +17,8 @@ from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Body, Layer, Uniform
-from stylers.shared.screen import SCREEN
+
+from ..screen import SCREEN
 
 UNDER = -1
 """The coat: lines go over it."""

@@ -19,7 +19,8 @@ from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.pictures import Image
 from glshim.styling.textures.fields import Doubles, even, noise
 from glshim.styling.values import Body, Colour, Layer, Uniform
-from stylers.shared.screen import SCREEN
+
+from ..screen import SCREEN
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
 WHITE: Colour = (0.985, 0.975, 0.95)
