@@ -116,6 +116,11 @@ class Toolkit:
     def redraw(self) -> None:
         """Ask for another frame: programs that draw only on demand would show nothing new."""
 
+    def leave(self) -> bool:
+        """Ask the app's main loop to return once the callback that is running has: where
+        exceptions get no further than there. False where no loop runs. In the main thread."""
+        return False
+
     def window_is_there(self) -> None:
         """Called at each frame end while keys are watched: for what can be hooked only then."""
 
@@ -127,6 +132,7 @@ class Toolkit:
             functools.partial(self.size, window),
             self.may_raise,
             functools.partial(self.framebuffer, window),
+            self.leave,
         )
 
     # -- for all of them -------------------------------------------------------------------------

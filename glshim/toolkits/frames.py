@@ -67,6 +67,8 @@ class Drawable:
     """Whether an exception that leaves the present call gets through to the app's main loop."""
     framebuffer: Callable[[], int] = lambda: 0
     """The framebuffer object that it is drawn into, 0 for the window's own."""
+    leave: Callable[[], bool] = lambda: False
+    """Asks the app's main loop to return, soon; False where no such loop runs."""
 
 
 UNKNOWN = Drawable(lambda: None)
@@ -75,6 +77,8 @@ _drawable = UNKNOWN
 _presented = 0
 _leaving = False
 _exit_raised = False
+_loop_asked = False
+"""The app's main loop was asked to return: frames that it still shows are nobody's."""
 
 
 def listen(
@@ -99,7 +103,7 @@ def has_listeners() -> bool:
 
 def listening() -> bool:
     """Whether a frame that ends now matters to anyone: someone listens, a context is current."""
-    return bool(_listeners) and _context_is_current()
+    return bool(_listeners) and not _loop_asked and _context_is_current()
 
 
 def present(
@@ -185,14 +189,18 @@ def _call(function: Callable[[], None] | None) -> None:
 
 
 def _leave(drawable: Drawable) -> None:
-    """End as the app would by itself, with its ``finally`` blocks run, where an exception gets
-    that far: not out of a callback from C, not out of a thread, not twice."""
-    global _exit_raised
+    """End as the app would by itself, with its ``finally`` blocks run. By an exception where one
+    gets that far: not out of a callback from C, not out of a thread, not twice. Else by its main
+    loop, once the callback has returned: what a toolkit is painting must not go meanwhile."""
+    global _exit_raised, _loop_asked
     in_main_thread = threading.current_thread() is threading.main_thread()
     if drawable.may_raise and in_main_thread and not _exit_raised:
         _exit_raised = True
         raise SystemExit(0)
-    exit_now()
+    with suppress(Exception):
+        _loop_asked = in_main_thread and drawable.leave()
+    if not _loop_asked:
+        exit_now()
 
 
 def exit_now() -> NoReturn:

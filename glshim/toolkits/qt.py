@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import sys
 import threading
 import weakref
 from collections.abc import Callable, Iterable
@@ -87,6 +88,17 @@ class Qt(Toolkit):
             with suppress(Exception):  # its C++ half may be gone
                 if ask is not None:
                     ask()
+
+    def leave(self) -> bool:
+        """`exec` returns 0. No window is asked whether it may be closed; each is hidden as if it
+        had been, since programs are used to that: some crash when Qt does it at the very end."""
+        core = sys.modules.get(f"{self.package}.QtCore")
+        app = core.QCoreApplication.instance() if core is not None else None
+        if core is None or app is None or not core.QThread.currentThread().loopLevel():
+            return False
+        app.aboutToQuit.connect(functools.partial(_hide_windows, app))
+        app.exit(0)
+        return True
 
     # -- frame ends ------------------------------------------------------------------------------
 
@@ -191,6 +203,11 @@ class Qt(Toolkit):
 
 def _shown_by_qt() -> None:
     """Qt puts the widget's picture on the screen after `paintGL`, when it likes."""
+
+
+def _hide_windows(app: Any) -> None:
+    for window in app.topLevelWindows():
+        window.hide()
 
 
 def _filter_class(module: Any) -> Callable[[], Any]:

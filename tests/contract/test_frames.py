@@ -259,6 +259,7 @@ def current(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(frames, "_listeners", ())
     monkeypatch.setattr(frames, "_leaving", False)
     monkeypatch.setattr(frames, "_exit_raised", False)
+    monkeypatch.setattr(frames, "_loop_asked", False)
 
 
 def noting(log: list[str], word: str) -> Callable[[], None]:
@@ -320,3 +321,15 @@ def test_the_program_ends_after_all_listeners_ran() -> None:
         frames.present(lambda: None)
     assert caught.value.code == 0
     assert log == ["1", "2", "after"]
+
+
+@pytest.mark.usefixtures("current")
+def test_a_main_loop_that_swallows_exceptions_is_asked_to_return() -> None:
+    """Nothing ends inside the callback, and what is still shown then is nobody's."""
+    log: list[str] = []
+    frames.listen(Stage.DRAW, before=noting(log, "1"), after=frames.end_program)
+    window = frames.Drawable(lambda: None, may_raise=False, leave=lambda: log.append("ask") is None)
+    assert frames.present(lambda: log.append("swap") or 7, on=window) == 7
+    assert log == ["1", "swap", "ask"]
+    assert frames.present(lambda: log.append("swap") or 7, on=window) == 7
+    assert log == ["1", "swap", "ask", "swap"]
