@@ -10,6 +10,7 @@ import os
 from functools import cache
 from importlib import import_module
 
+from glshim.system.interrupts import Held
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Part, Toolkit
 
@@ -70,6 +71,7 @@ def window_is_there() -> None:
 
 def redraw() -> None:
     """Ask for another frame: programs that draw only on demand would show nothing new."""
-    for toolkit in used():
-        if toolkit.is_hooked(Part.KEYS):
-            toolkit.redraw()
+    with Held():
+        for toolkit in used():
+            if toolkit.is_hooked(Part.KEYS):
+                toolkit.redraw()

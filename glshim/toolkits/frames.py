@@ -13,9 +13,10 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from enum import IntEnum
+from threading import get_ident
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
@@ -79,6 +80,8 @@ _leaving = False
 _exit_raised = False
 _loop_asked = False
 """The app's main loop was asked to return: frames that it still shows are nobody's."""
+_showing: set[int] = set()
+"""Threads in which a frame is being shown."""
 
 
 def listen(
@@ -117,24 +120,54 @@ def present(
     For the hooks on toolkits, and without ``on`` for what ends a frame by itself: glFlush or
     glFinish on a single-buffered or off-screen context. May raise `SystemExit`: see `end_program`.
     """
-    global _presented, _drawable
-    if not listening():
+    if not listening() or get_ident() in _showing:
         return swap(*arguments, **named)
-    outer, _drawable = _drawable, on or _drawable
+    with _ending(on or _drawable):
+        return swap(*arguments, **named)
+
+
+class Ending:
+    """The end of a frame that is shown between two calls of the toolkit's: for hooks that hear of
+    both and make neither."""
+
+    def __init__(self) -> None:
+        self._open: AbstractContextManager[None] | None = None
+
+    def begin(self, on: Drawable) -> None:
+        """It is about to be shown. May raise what a signal handler of the app's raises."""
+        if self._open is None and listening() and get_ident() not in _showing:
+            ending = _ending(on)
+            ending.__enter__()
+            self._open = ending
+
+    def finish(self, error: Exception | None = None) -> None:
+        """It was shown, or the toolkit failed to. May raise as `present` does."""
+        ending, self._open = self._open, None
+        if ending is not None:
+            ending.__exit__(None if error is None else type(error), error, None)
+
+
+@contextmanager
+def _ending(on: Drawable) -> Iterator[None]:
+    """Inside it a frame is shown, once: toolkits call one another."""
+    global _presented, _drawable
+    outer, _drawable = _drawable, on
+    thread = get_ident()
+    _showing.add(thread)
     try:
         with Held():
             for listener in _listeners:
                 _call(listener.before)
-        result = swap(*arguments, **named)
+        yield
         with Held():
             _presented += 1
             for listener in _listeners:
                 _call(listener.after)
         if _leaving:
-            _leave(_drawable)
+            _leave(on)
     finally:
+        _showing.discard(thread)
         _drawable = outer
-    return result
 
 
 def _context_is_current() -> bool:

@@ -1,4 +1,4 @@
-"""GLX by PyOpenGL, which is how pyopengltk shows a Tk window on X."""
+"""GLX by PyOpenGL, for programs that open windows of X by themselves."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
 class Glx(Toolkit):
     """One function of PyOpenGL's raw layer."""
 
-    name, package, distribution = "GLX, Tk by pyopengltk", "OpenGL", "PyOpenGL"
+    name, package, distribution = "GLX", "OpenGL", "PyOpenGL"
     tested = "pyopengltk 0.0.4 on X"
     lacks: ClassVar[Lacks] = {
         Part.SIZE: "the viewport's size counts as the window's",
         Part.KEYS: "live control hears no key",
         Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
-        Part.CLOCK: "Tk's `after` runs on",
+        Part.CLOCK: "what shows the time runs on",
     }
 
     def hooks(self) -> Iterable[Hook]:

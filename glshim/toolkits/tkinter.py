@@ -1,0 +1,245 @@
+"""Tk by tkinter: Togl widgets (PyOpenGL's `OpenGL.Tk`, programs with a Togl of their own) and
+pyopengltk's frames.
+
+Togl swaps inside C, at the Tcl command ``WIDGET swapbuffers``: a trace on the widget's command
+tells before and after. Keys come by a bind tag before all others of a widget.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import sys
+import weakref
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any, ClassVar
+
+from glshim.system.interrupts import Held
+from glshim.toolkits import frames, keyboard
+from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
+from glshim.toolkits.frames import Drawable, Size
+from glshim.toolkits.moment import MOMENT, Moment
+
+SWAP, MAKE_CURRENT = "swapbuffers", "makecurrent"
+TAG = "glshim"
+"""The bind tag of our keys; Tcl commands of ours lie in a namespace of that name."""
+_KEYS = {
+    **{name: name for name in keyboard.NAMES}, **{name.lower(): name for name in keyboard.NAMES},
+    "Prior": "PageUp", "Next": "PageDown",
+}  # fmt: skip
+"""By Tk's keysym."""
+_MODIFIERS = {
+    "x11": {"shift": 1, "ctrl": 4, "alt": 8},
+    "win32": {"shift": 1, "ctrl": 4, "alt": 0x20000},
+    "aqua": {"shift": 1, "ctrl": 4, "alt": 0x10},
+}
+"""Bits of an event's state, by windowing system."""
+
+
+class Tk(Toolkit):
+    """Togl's frames end inside a command of Tcl's, where an exception becomes an error of Tcl's."""
+
+    name, package = "Tk", "tkinter"
+    may_raise = False
+    tested = "Togl 2.0, LinuxCNC's Togl and pyopengltk 0.0.4 on X"
+    lacks: ClassVar[Lacks] = {Part.CLOCK: "Tk's `after` runs on"}
+
+    def __init__(self, moment: Moment = MOMENT) -> None:
+        super().__init__(moment)
+        self._widgets: weakref.WeakSet[Any] = weakref.WeakSet()
+        """Those that end frames."""
+        self._tagged: weakref.WeakSet[Any] = weakref.WeakSet()
+        """Those that have the tag of our keys."""
+        self._bindtags: Callable[..., Any] | None = None
+        """Tkinter's own, while ours is in its place."""
+        self._togls: weakref.WeakKeyDictionary[Any, Togl] = weakref.WeakKeyDictionary()
+        self.contexts: weakref.WeakKeyDictionary[Any, int] = weakref.WeakKeyDictionary()
+        """The contexts of Togl widgets that were made current, by widget."""
+
+    def hooks(self) -> Iterable[Hook]:
+        yield Hook(Part.FRAMES, "tkinter", self.hook_togl, "Togl's command swapbuffers")
+        yield Hook(Part.FRAMES, "pyopengltk", self.hook_frame, "OpenGLFrame.tkSwapBuffers")
+        yield Hook(Part.KEYS, "tkinter", self.hook_tags, "a bind tag")
+
+    def size(self, widget: Any) -> Size:
+        return widget.winfo_width(), widget.winfo_height()
+
+    def redraw(self) -> None:
+        """Expose the widgets, for which they bind a redraw."""
+        for widget in tuple(self._widgets):
+            with suppress(Exception):  # it may be gone
+                widget.event_generate("<Expose>", when="tail")
+
+    def drawable(self, widget: Any = None) -> Drawable:
+        self._widgets.add(widget)
+        return super().drawable(widget)
+
+    # -- frame ends ------------------------------------------------------------------------------
+
+    def hook_togl(self, module: Any, changes: Changes) -> None:
+        """Every class of widgets begins in this one."""
+        plain = module.BaseWidget.__init__
+
+        @functools.wraps(plain)
+        def begin(widget: Any, *arguments: Any, **named: Any) -> None:
+            plain(widget, *arguments, **named)
+            if getattr(widget, "widgetName", None) == "togl":
+                with Held(), suppress(module.TclError):
+                    togl = self._togls[widget] = Togl(widget, self)
+                    togl.follow()
+
+        changes.set(module.BaseWidget, "__init__", begin)
+        for togl in tuple(self._togls.values()):  # it was hooked before
+            togl.follow()
+        changes.add(self._leave_togls)
+
+    def _leave_togls(self) -> None:
+        for togl in tuple(self._togls.values()):
+            togl.leave()
+
+    def hook_frame(self, module: Any, changes: Changes) -> None:
+        plain = module.OpenGLFrame.tkSwapBuffers
+
+        @functools.wraps(plain)
+        def swap_buffers(frame: Any) -> Any:
+            if not frame.winfo_ismapped():  # then it shows nothing
+                return plain(frame)
+            on = replace(self.drawable(frame), may_raise=True)  # Python calls it
+            return frames.present(plain, frame, on=on)
+
+        changes.set(module.OpenGLFrame, "tkSwapBuffers", swap_buffers)
+
+    # -- keys ------------------------------------------------------------------------------------
+
+    def hook_tags(self, module: Any, changes: Changes) -> None:
+        """Ask for the tags of a widget, or set them, without ours."""
+        plain = self._bindtags = module.Misc.bindtags
+
+        @functools.wraps(plain)
+        def bindtags(widget: Any, tagList: Any = None) -> Any:
+            if widget not in self._tagged:
+                return plain(widget, tagList)
+            if tagList is None:
+                return tuple(tag for tag in plain(widget) if tag != TAG)
+            return plain(widget, (TAG, *widget.tk.splitlist(tagList)))
+
+        changes.set(module.Misc, "bindtags", bindtags)
+        changes.add(self._untag)
+
+    def window_is_there(self) -> None:
+        for root in {widget._root() for widget in tuple(self._widgets)}:
+            with suppress(Exception):  # it may be gone, or belong to another thread
+                self._bind(root)
+                for widget in _below(root):
+                    if widget not in self._tagged:
+                        self._tag(widget)
+
+    def _bind(self, root: Any) -> None:
+        """What the tag of our keys does."""
+        if root in self._tagged:
+            return
+        modifiers = _MODIFIERS[root.tk.call("tk", "windowingsystem")]
+
+        def is_ours(down: str, keysym: str, state: str) -> bool:
+            name = _KEYS.get(keysym)
+            if down == "0":
+                return keyboard.released(name)
+            return keyboard.pressed(name, keyboard.modifiers(int(state), modifiers))
+
+        root.tk.eval(f"namespace eval {TAG} {{}}")
+        root.tk.createcommand(f"::{TAG}::key", is_ours)
+        for down, event in enumerate(("<KeyRelease>", "<KeyPress>")):
+            root.tk.call("bind", TAG, event, f"if {{[::{TAG}::key {down} %K %s]}} break")
+
+    def _tag(self, widget: Any) -> None:
+        assert self._bindtags is not None
+        self._bindtags(widget, (TAG, *self._bindtags(widget)))
+        self._tagged.add(widget)
+
+    def _untag(self) -> None:
+        tagged, plain = tuple(self._tagged), self._bindtags
+        self._tagged.clear()
+        for widget in tagged:
+            with suppress(Exception):  # it may be gone
+                if plain is not None:
+                    plain(widget, tuple(tag for tag in plain(widget) if tag != TAG))
+
+
+class Togl:
+    """One Togl widget, whose command of Tcl's is followed."""
+
+    def __init__(self, widget: Any, toolkit: Tk) -> None:
+        """May raise TclError."""
+        self._widget, self._toolkit = weakref.ref(widget), toolkit
+        self._tk, self._path, self._name = widget.tk, str(widget), f"::{TAG}::{id(self)}"
+        self._ending = frames.Ending()
+        self._other: Any = None
+        """The widget that is current while this one's picture is shown, if that is another."""
+        self._tk.eval(f"namespace eval {TAG} {{}}")
+        self._tk.createcommand(self._name, self._traced)
+        gone = f"rename {self._name} {{}} ;#"
+        self._tk.call("trace", "add", "command", self._path, "delete", gone)
+
+    def follow(self) -> None:
+        """Hear of its commands."""
+        with suppress(Exception):  # it may be gone
+            self._call_trace("add")
+
+    def leave(self) -> None:
+        """Hear of them no more."""
+        with suppress(Exception):  # it may be gone
+            self._call_trace("remove")
+
+    def _call_trace(self, what: str) -> None:
+        self._tk.call("trace", what, "execution", self._path, "enter leave", self._name)
+
+    def _traced(self, command: str, *how: str) -> None:
+        widget, words = self._widget(), self._tk.splitlist(command)
+        if widget is None or len(words) < 2:
+            return
+        leaves, fails = how[-1] == "leave", how[0] not in ("0", "enter")
+        # Togl takes the beginning of a word for the word.
+        if MAKE_CURRENT.startswith(words[1]) and leaves and not fails:
+            self._toolkit.contexts[widget] = _context()
+        elif SWAP.startswith(words[1]) and leaves:
+            try:
+                self._ending.finish(RuntimeError(how[1]) if fails else None)
+            finally:
+                _be_current(self._other)
+        elif SWAP.startswith(words[1]):
+            self._other = self._other_than(widget) if frames.listening() else None
+            if self._other is not None:
+                _be_current(widget)
+            self._ending.begin(self._toolkit.drawable(widget))
+
+    def _other_than(self, widget: Any) -> Any:
+        """What is current when it is not the widget that is to be shown: Togl shows any, and a
+        frame ends in the context of its own widget."""
+        contexts, current = self._toolkit.contexts, _context()
+        if contexts.get(widget, current) == current:
+            return None
+        return next((each for each, context in contexts.items() if context == current), None)
+
+
+def _context() -> int:
+    """The address of the current context, 0 without one."""
+    platform: Any = sys.modules.get("OpenGL.platform")
+    current = platform and platform.PLATFORM.GetCurrentContext()
+    return (ctypes.cast(current, ctypes.c_void_p).value if current else 0) or 0
+
+
+def _be_current(widget: Any) -> None:
+    if widget is not None:
+        widget.tk.call(str(widget), MAKE_CURRENT)
+
+
+def _below(widget: Any) -> Iterator[Any]:
+    """A widget and all of its children's, as Python knows them."""
+    yield widget
+    for child in tuple(widget.children.values()):
+        yield from _below(child)
+
+
+TOOLKITS = (Tk(),)

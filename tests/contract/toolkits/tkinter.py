@@ -1,0 +1,142 @@
+"""Tk by tkinter: Togl, and pyopengltk's frames, on an interpreter that knows what they need."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+from glshim.toolkits.tkinter import TAG, Tk
+
+from .rig import SIZE, Rig
+
+PATH = ".togl"
+
+
+class Interpreter:
+    """Tcl with one Togl widget, whose command it traces."""
+
+    def __init__(self, swap: Callable[[], int]) -> None:
+        self.swap = swap
+        self.commands: dict[str, Callable[..., Any]] = {}
+        self.traces: list[str] = []
+        self.bindings: dict[str, str] = {}
+
+    def eval(self, script: str) -> None:
+        assert script == f"namespace eval {TAG} {{}}"
+
+    def createcommand(self, name: str, function: Callable[..., Any]) -> None:
+        self.commands[name] = function
+
+    def splitlist(self, words: Any) -> tuple[str, ...]:
+        return tuple(words.split()) if isinstance(words, str) else tuple(words)
+
+    def call(self, *words: str) -> Any:
+        if words == ("tk", "windowingsystem"):
+            return "x11"
+        if words[0] == "bind":
+            self.bindings[words[2]] = words[3]
+        elif words[:3] == ("trace", "add", "execution"):
+            self.traces.append(words[-1])
+        elif words[:3] == ("trace", "remove", "execution"):
+            self.traces.remove(words[-1])
+        elif words == (PATH, "swapbuffers"):
+            return self.traced_swap()
+        return None
+
+    def traced_swap(self) -> int:
+        command = f"{PATH} swapbuffers"
+        for name in reversed(self.traces):
+            self.commands[name](command, "enter")
+        result = self.swap()
+        for name in self.traces:
+            self.commands[name](command, "0", str(result), "leave")
+        return result
+
+    def event(self, kind: str, keysym: str) -> bool:
+        """Whether a binding of our tag keeps the event from the others."""
+        script = self.bindings[kind].replace("%K", keysym).replace("%s", "0")
+        name, *arguments = script[script.index("[") + 1 : script.index("]")].split()
+        return bool(self.commands[name](*arguments))
+
+
+class TkRig(Rig):
+    takes_early = True
+
+    def __init__(self, widget: str) -> None:
+        super().__init__(Tk())
+        self.widget_name, self.asked = widget, 0
+        self.tk = tk = Interpreter(self.shown)
+        rig = self
+
+        class Misc:
+            tags: tuple[str, ...] = ("Togl", ".", "all")
+
+            def bindtags(self, tagList: Any = None) -> Any:
+                if tagList is None:
+                    return self.tags
+                self.tags = tuple(tagList)
+                return None
+
+        class BaseWidget(Misc):
+            def __init__(self, widget_name: str) -> None:
+                self.tk, self.widgetName, self.children = tk, widget_name, {}
+
+            def __str__(self) -> str:
+                return PATH
+
+            def _root(self) -> Any:
+                return self
+
+            def winfo_width(self) -> int:
+                return SIZE[0]
+
+            def winfo_height(self) -> int:
+                return SIZE[1]
+
+            def winfo_ismapped(self) -> bool:
+                return True
+
+            def event_generate(self, event: str, when: str) -> None:
+                assert (event, when) == ("<Expose>", "tail")
+                rig.asked += 1
+
+        class OpenGLFrame(BaseWidget):
+            def tkSwapBuffers(self) -> int:
+                return rig.shown()
+
+        self.modules = {
+            "tkinter": SimpleNamespace(Misc=Misc, BaseWidget=BaseWidget, TclError=RuntimeError),
+            "pyopengltk": SimpleNamespace(OpenGLFrame=OpenGLFrame),
+        }
+
+    def take(self) -> None:
+        togl = self.widget_name == "togl"
+        self.kind = (
+            self.modules["tkinter"].BaseWidget if togl else self.modules["pyopengltk"].OpenGLFrame
+        )
+
+    def open(self) -> None:
+        self.window = self.kind(self.widget_name)
+
+    def present(self) -> Any:
+        if self.widget_name == "togl":
+            return self.tk.call(PATH, "swapbuffers")
+        return self.window.tkSwapBuffers()
+
+    def key(self, name: str, down: bool) -> None:
+        assert TAG not in self.window.bindtags()
+        tagged = TAG in self.window.tags
+        keysym = name if len(name) > 1 else name.lower()
+        if not (tagged and self.tk.event("<KeyPress>" if down else "<KeyRelease>", keysym)):
+            self.got.append((name, down))
+
+    def redraws(self) -> int:
+        return self.asked
+
+
+RIGS: dict[str, Callable[[], Rig]] = {
+    "Tk, Togl": functools.partial(TkRig, "togl"),
+    "Tk, pyopengltk": functools.partial(TkRig, "frame"),
+}
