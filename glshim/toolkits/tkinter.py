@@ -14,6 +14,7 @@ import weakref
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from types import FrameType
 from typing import Any, ClassVar
 
 from glshim.system.interrupts import Held
@@ -71,6 +72,19 @@ class Tk(Toolkit):
         for widget in tuple(self._widgets):
             with suppress(Exception):  # it may be gone
                 widget.event_generate("<Expose>", when="tail")
+
+    def leave(self) -> bool:
+        """`mainloop` returns, where one of Python's runs."""
+        tkinter: Any = sys.modules["tkinter"]
+        loops = (tkinter.Misc.mainloop.__code__, tkinter.mainloop.__code__)
+        frame: FrameType | None = sys._getframe()
+        while frame is not None and frame.f_code not in loops:
+            frame = frame.f_back
+        widget = next(iter(self._widgets), None)
+        if frame is None or widget is None:
+            return False
+        widget.quit()
+        return True
 
     def drawable(self, widget: Any = None) -> Drawable:
         self._widgets.add(widget)

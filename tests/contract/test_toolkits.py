@@ -325,3 +325,62 @@ def test_wx(log: list[str]) -> None:
     Wx().hook_swaps(SimpleNamespace(GLCanvas=canvas), Changes())
     assert canvas().SwapBuffers() is True
     assert log == ["(60, 40) in 0", "swapped"]
+
+
+# -- Tk --------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def togl(log: list[str], monkeypatch: pytest.MonkeyPatch) -> Any:
+    """A rig whose frame ends are noted."""
+    rig = RIGS["Tk, Togl"]()
+    for module, stand_in in rig.modules.items():
+        stand_in.__spec__ = None
+        monkeypatch.setitem(sys.modules, module, stand_in)
+    rig.toolkit.watch(Part.FRAMES)
+    rig.take()
+    rig.open()
+    rig.log = log
+    return rig
+
+
+def test_togl_takes_the_beginning_of_a_word_for_the_word(togl: Any, log: list[str]) -> None:
+    for command in ("swap", "swapbuffers", "makecurrent", "cget", ""):
+        togl.tk.traced(command, lambda command=command: log.append(command))
+    frame = "(60, 40) in 0"
+    assert log == [frame, "swap", frame, "swapbuffers", "makecurrent", "cget", ""]
+
+
+def test_a_togl_that_fails_to_swap_has_shown_no_frame(togl: Any) -> None:
+    def fail() -> None:
+        raise RuntimeError("Togl's own")
+
+    before = frames.presented()
+    with pytest.raises(RuntimeError, match="Togl's own"):
+        togl.tk.traced("swapbuffers", fail)
+    assert frames.presented() == before
+    togl.present()
+    assert frames.presented() == before + 1
+
+
+def test_a_togl_is_shown_in_its_own_context(
+    togl: Any, log: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two are drawn, then both are shown."""
+    current = [0]
+    platform = SimpleNamespace(GetCurrentContext=lambda: current[0])
+    monkeypatch.setitem(sys.modules, "OpenGL.platform", SimpleNamespace(PLATFORM=platform))
+    first, second = togl.window, togl.another()
+    for number, widget in enumerate((first, second), 1):
+        togl.tk.current[str(widget)] = lambda number=number: current.__setitem__(0, number)
+        togl.tk.call(str(widget), "makecurrent")
+    frames.listen(frames.Stage.DRAW, before=lambda: log.append(f"context {current[0]}"))
+    for widget in (first, second):
+        togl.tk.call(str(widget), "swapbuffers")
+        assert current == [2]
+    assert [line for line in log if "context" in line] == ["context 1", "context 2"]
+
+
+def test_what_shows_a_frame_by_another_toolkit_shows_one(log: list[str]) -> None:
+    frames.present(lambda: frames.present(lambda: log.append("shown")))
+    assert log == ["None in 0", "shown"]

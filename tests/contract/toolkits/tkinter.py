@@ -15,12 +15,15 @@ PATH = ".togl"
 
 
 class Interpreter:
-    """Tcl with one Togl widget, whose command it traces."""
+    """Tcl with Togl widgets, whose commands it traces."""
 
     def __init__(self, swap: Callable[[], int]) -> None:
         self.swap = swap
+        self.current: dict[str, Callable[[], None]] = {}
+        """What makes a widget current."""
         self.commands: dict[str, Callable[..., Any]] = {}
-        self.traces: list[str] = []
+        self.traces: list[tuple[str, str]] = []
+        """Of a widget, and the command that hears of its."""
         self.bindings: dict[str, str] = {}
 
     def eval(self, script: str) -> None:
@@ -38,20 +41,30 @@ class Interpreter:
         if words[0] == "bind":
             self.bindings[words[2]] = words[3]
         elif words[:3] == ("trace", "add", "execution"):
-            self.traces.append(words[-1])
+            self.traces.append((words[3], words[-1]))
         elif words[:3] == ("trace", "remove", "execution"):
-            self.traces.remove(words[-1])
-        elif words == (PATH, "swapbuffers"):
-            return self.traced_swap()
+            self.traces.remove((words[3], words[-1]))
+        elif words[1] == "swapbuffers":
+            return self.traced("swapbuffers", self.swap, words[0])
+        elif words[1] == "makecurrent":
+            return self.traced("makecurrent", self.current[words[0]], words[0])
         return None
 
-    def traced_swap(self) -> int:
-        command = f"{PATH} swapbuffers"
-        for name in reversed(self.traces):
-            self.commands[name](command, "enter")
-        result = self.swap()
-        for name in self.traces:
-            self.commands[name](command, "0", str(result), "leave")
+    def traced(self, command: str, work: Callable[[], Any], path: str = PATH) -> Any:
+        """A widget's command."""
+        names = [name for traced, name in self.traces if traced == path]
+        for name in reversed(names):
+            self.commands[name](f"{path} {command}", "enter")
+        result, error = None, None
+        try:
+            result = work()
+        except RuntimeError as failed:
+            error = failed
+        for name in names:
+            code = "0" if error is None else "1"
+            self.commands[name](f"{path} {command}", code, str(error or result), "leave")
+        if error is not None:
+            raise error
         return result
 
     def event(self, kind: str, keysym: str) -> bool:
@@ -80,11 +93,11 @@ class TkRig(Rig):
                 return None
 
         class BaseWidget(Misc):
-            def __init__(self, widget_name: str) -> None:
-                self.tk, self.widgetName, self.children = tk, widget_name, {}
+            def __init__(self, widget_name: str, path: str = PATH) -> None:
+                self.tk, self.widgetName, self.path, self.children = tk, widget_name, path, {}
 
             def __str__(self) -> str:
-                return PATH
+                return self.path
 
             def _root(self) -> Any:
                 return self
@@ -119,6 +132,10 @@ class TkRig(Rig):
 
     def open(self) -> None:
         self.window = self.kind(self.widget_name)
+
+    def another(self) -> Any:
+        """A second widget."""
+        return self.kind(self.widget_name, f"{PATH}2")
 
     def present(self) -> Any:
         if self.widget_name == "togl":
