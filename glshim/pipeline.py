@@ -177,10 +177,10 @@ class Pipeline:
         """Following has ended, by a fault."""
         return self._broken
 
-    def context_renewed(self) -> None:
-        """A context that is gone left its address to a new one."""
+    def context_ended(self, handle: int) -> None:
+        """A context is gone, and perhaps left its handle to a new one."""
         for output in self._outputs:
-            output.forget()
+            output.forget(handle)
 
     def give_up(self, error: BaseException) -> None:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""

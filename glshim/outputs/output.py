@@ -44,6 +44,10 @@ class Context(Protocol):
     def stale(self) -> bool:
         """Whether the current context is another one, at the address of the one that was."""
 
+    @property
+    def gone(self) -> bool:
+        """Whether it was destroyed. Asked while another is current."""
+
     def mark(self) -> None:
         """Leave a mark in it, so that :attr:`stale` can tell."""
 
@@ -71,8 +75,9 @@ class Output:
     def frame_ends(self) -> None:
         """A frame was presented: no layer of it comes any more."""
 
-    def forget(self) -> None:
-        """What was made in the current context is gone: another one has its address."""
+    def forget(self, handle: int) -> None:
+        """The context of this handle is gone with what was made in it. Calls no GL: the current one
+        is another, at the same address perhaps."""
 
     def release(self) -> None:
         """Give back what the current context holds for this style alone. Outside primitives."""

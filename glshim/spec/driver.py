@@ -32,22 +32,27 @@ class Driver:
     """
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
-        signature = SIGNATURES.get(name)
-        if signature is None:
-            raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
-        arguments, _, result = signature.partition(">")
-        prototype = ctypes.CFUNCTYPE(
-            _LETTERS[result] if result else None, *(_LETTERS[letter] for letter in arguments)
-        )
         place = address(name)
         if not place:
             raise AttributeError(f"this GL driver has no {name}")
-        function = prototype(place)
+        function: Callable[..., Any] = prototype(name)(place)
         setattr(self, name, function)
         return function
 
 
 gl = Driver()
+
+
+def prototype(name: str) -> Any:
+    """The ctypes class of a function of the driver's. Raises AttributeError where no row tells its
+    signature."""
+    signature = SIGNATURES.get(name)
+    if signature is None:
+        raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
+    arguments, _, result = signature.partition(">")
+    return ctypes.CFUNCTYPE(
+        _LETTERS[result] if result else None, *(_LETTERS[letter] for letter in arguments)
+    )
 
 
 def address(name: str) -> int:
@@ -69,9 +74,10 @@ def quick(name: str) -> Callable[..., Any]:
     """
     place = ctypes.cast(getattr(gl, name), ctypes.c_void_p).value
     assert place is not None
-    return ctypes.PYFUNCTYPE(None)(place)
+    return _QUICK(place)
 
 
+_QUICK = ctypes.PYFUNCTYPE(None)  # a new class each time it is asked for
 _get_current: Callable[[], int | None] | None = None
 
 

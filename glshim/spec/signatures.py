@@ -40,6 +40,7 @@ SIGNATURES: dict[str, str] = {
     "glCreateProgram": ">u",
     "glCreateShader": "u>u",
     "glCullFace": "u",
+    "glDeleteBuffers": "ip",
     "glDeleteFramebuffers": "ip",
     "glDeleteProgram": "u",
     "glDeleteQueries": "ip",
@@ -188,3 +189,8 @@ SIGNATURES: dict[str, str] = {
     "glWindowPos2i": "ii",
     "glWindowPos3f": "fff",
 }
+
+
+def deletes(name: str) -> bool:
+    """Whether a function deletes objects of the context that is current."""
+    return name in SIGNATURES and name.startswith("glDelete")

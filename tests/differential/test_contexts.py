@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import gc
 import subprocess
 import sys
 import textwrap
 
 import glfw
+import moderngl
 import pytest
 from OpenGL import GL
 
+from glshim.outputs.gl.backend import Backend
+from glshim.sources.following import scene
+from glshim.sources.following.scene import Scene
 from glshim.spec.driver import current_context
 
 from .scenes_lists import recorded
@@ -61,10 +66,47 @@ def test_contexts_made_and_destroyed_again_and_again() -> None:
         assert outcomes[0].differences(outcome) == {}
 
 
+def known() -> int:
+    """Objects of ours that belong to contexts."""
+    gc.collect()
+    of = Scene, Backend, moderngl.Program, moderngl.Buffer, moderngl.Context
+    return sum(type(each) in of for each in gc.get_objects())
+
+
+def test_what_is_known_of_dead_contexts_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Toolkits destroy contexts unheard; handles are given again only by chance."""
+    with styled(VISIBLE):
+        for _ in range(3):
+            one_window()
+        before = known()
+        for _ in range(12):
+            one_window()
+        assert known() <= before
+        with window() as first:
+            for _ in range(3):
+                one_window()
+            glfw.make_context_current(first)
+            prepare()
+            cube()
+            monkeypatch.setattr(scene, "_FRAMES_BETWEEN_LOOKS", 1)
+            glfw.swap_buffers(first)
+            assert known() <= before
+
+
+def test_a_context_that_others_came_after_is_still_known() -> None:
+    with styled(VISIBLE), window() as first:
+        prepare()
+        recorded(1, cube)
+        for _ in range(4):
+            one_window()
+        glfw.make_context_current(first)
+        app = App()
+        app.tries(GL.glCallList, 1)
+        assert inked(observe(app)) > 100
+
+
 def test_a_new_context_at_the_old_address(monkeypatch: pytest.MonkeyPatch) -> None:
     """Context handles are addresses, which the next context may get."""
-    from glshim.sources.following import scene
-
     monkeypatch.setattr(scene, "current_context", lambda: 4711 if current_context() else 0)
 
     def lists(rectangle: bool) -> Outcome:

@@ -94,6 +94,10 @@ class Backend:
             text = f"no drawing in this context ({version_text()}): {error}"
             raise RenderError(text) from error
 
+    def abandon(self) -> None:
+        """Its context is gone: see `Device.abandon`."""
+        self._device.abandon()
+
     def render(self, draws: Iterable[Lines | Pass], destination: Destination = WINDOW) -> None:
         """Add draws to the framebuffer that is bound, against its depth, and touch nothing else.
 

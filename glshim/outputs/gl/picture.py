@@ -43,20 +43,27 @@ class Picture(Output):
         if others:
             self._backend(context).render(others, destination)
 
-    def forget(self) -> None:
-        self._cover.forget()
+    def forget(self, handle: int) -> None:
+        self._cover.forget(handle)
+        _, backend = self._backends.pop(handle, (None, None))
+        if backend is not None:
+            backend.abandon()
 
     def release(self) -> None:
         self._cover.release()
-        # Unheard, contexts may go and leave their addresses to others.
-        self._cover = Cover()
 
     def _backend(self, context: Context) -> Backend:
         """The current context's backend."""
         handle = current_context()
         # Asked before the new one gets its mark: in another context that may have the same name.
         owner, backend = self._backends.get(handle, (context, None))
-        if backend is None or owner.stale:
+        if backend is not None and owner.stale:
+            self.forget(handle)
+            backend = None
+        if backend is None:
+            # What was followed by another pipeline is looked after here.
+            for gone in [other for other, (owner, _) in self._backends.items() if owner.gone]:
+                self.forget(gone)
             backend = Backend.attach()
             self._backends[handle] = context, backend
         context.mark()

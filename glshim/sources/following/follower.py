@@ -59,8 +59,8 @@ class LayerSink(Protocol):
     def flush(self, call: Callable[[], Any]) -> Any:
         """glFlush or glFinish, which ``call`` makes; it may end a frame."""
 
-    def context_renewed(self) -> None:
-        """The current context has the address of one that is gone, and none of its objects."""
+    def context_ended(self, handle: int) -> None:
+        """A context is gone, and another one is current: at its address perhaps."""
 
     def give_up(self, error: BaseException) -> None:
         """A fault of ours: no more styling; the app's call goes on."""
@@ -102,7 +102,7 @@ class Follower:
         self._stream = stream
         self._idle = True
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
-        self._scenes = Scenes(stream)
+        self._scenes = Scenes(stream, sink.context_ended)
         self._now: Scene | None = None
         """Where the open primitive is drawn."""
         self._spoilt = False
@@ -212,8 +212,8 @@ class Follower:
     @contained
     def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
         """Before a call by role."""
-        if role in _RENEWALS and self._scenes.renewed():
-            self._sink.context_renewed()
+        if role in _RENEWALS:
+            self._scenes.look_here()
         scene = self._scenes.current()
         if scene is None:
             return
@@ -391,6 +391,7 @@ class Follower:
             self._finish(scene)
             scene.layer.end_frame()
             scene.fixed.tick()
+            self._scenes.frame_ends()
 
     def flush(self, call: Callable[[], Any]) -> Any:
         """In place of glFlush or glFinish."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
 
 from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import POSITIONS, Wanted
@@ -23,8 +24,11 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_vertex_arrays, shortcoming
 from glshim.spec.driver import current_context, gl
+from glshim.spec.lifetime import witness
 
 _MARKER = 997
+_FRAMES_BETWEEN_LOOKS = 256
+"""A look asks the window system once a context."""
 
 
 class Scene:
@@ -47,6 +51,7 @@ class Scene:
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
         self._marker = 0
+        self._is_there = witness()
 
     def restyle(self, wanted: Wanted) -> None:
         """Batches shall come with something else from now on, in a layer that begins anew. Lists,
@@ -83,13 +88,27 @@ class Scene:
         return not is_there(self._marker)
 
 
+    @property
+    def gone(self) -> bool:
+        """Whether the context, which is not current, was destroyed."""
+        return not self._is_there()
+
+
 class Scenes:
     """The scenes of this process by context."""
 
-    def __init__(self, stream: PrimitiveStream, wanted: Wanted = POSITIONS) -> None:
+    def __init__(
+        self,
+        stream: PrimitiveStream,
+        ended: Callable[[int], None] = lambda context: None,
+        wanted: Wanted = POSITIONS,
+    ) -> None:
+        """ended: told the handle of a context that is gone. Calls no GL: another is current."""
         self._stream = stream
+        self._ended = ended
         self._wanted = wanted
         self._by_context: dict[int, Scene] = {}
+        self._frames = 0
 
     def current(self) -> Scene | None:
         """The current context's scene; None without a context."""
@@ -98,10 +117,29 @@ class Scenes:
             return None
         scene = self._by_context.get(handle)
         if scene is None:
+            self._look_around(handle)
             scene = self._by_context[handle] = Scene(self._stream, self._wanted)
             if scene.refused:
                 say_unstyled(scene.refused)
         return scene
+
+    def frame_ends(self) -> None:
+        """Of the current context."""
+        self._frames += 1
+        if self._frames % _FRAMES_BETWEEN_LOOKS == 0:
+            self._look_around(current_context())
+
+    def _look_around(self, here: int) -> None:
+        """Toolkits destroy contexts unheard: forget those that are gone. Without it, a program that
+        opens and closes windows would grow."""
+        others = [(handle, scene) for handle, scene in self._by_context.items() if handle != here]
+        for handle, scene in others:
+            if scene.gone:
+                self._forget(handle)
+
+    def _forget(self, handle: int) -> None:
+        del self._by_context[handle]
+        self._ended(handle)
 
     def restyle(self, wanted: Wanted) -> None:
         """`Scene.restyle`, of all."""
@@ -109,14 +147,13 @@ class Scenes:
         for scene in self._by_context.values():
             scene.restyle(wanted)
 
-    def renewed(self) -> bool:
+    def look_here(self) -> None:
         """Look whether the current context is new, at an old one's address; it gets a new scene
         then. Ask now and then, outside primitives: at a clear, before a list."""
-        scene = self._by_context.get(current_context())
-        if scene is None or not scene.stale:
-            return False
-        del self._by_context[current_context()]
-        return True
+        handle = current_context()
+        scene = self._by_context.get(handle)
+        if scene is not None and scene.stale:
+            self._forget(handle)
 
     def close_list(self, scene: Scene) -> None:
         """glEndList. Other contexts may share the list that changed."""

@@ -7,15 +7,17 @@ import ctypes
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Any, ClassVar
+from weakref import WeakSet
 
 import moderngl
 
 from glshim.errors import RenderError
+from glshim.outputs.gl.device.connection import connection
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
 from glshim.spec.context import MODERN, OLDEST, version
-from glshim.spec.driver import address, gl
+from glshim.spec.driver import gl
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""
@@ -32,6 +34,10 @@ class Device(ABC):
         """From GLSL texts; an empty one leaves its stage to the fixed function. Raises
         `RenderError` with the driver's words when it does not compile. No other state changes."""
 
+    def abandon(self) -> None:  # noqa: B027
+        """Its context is gone, and its objects with it: free the memory that they take on our side.
+        Calls no GL."""
+
 
 def attach() -> Device:
     """A device of the current context, whose state stays as it was. Outside the state guard."""
@@ -47,12 +53,9 @@ class ModernDevice(Device):
     modern = True
 
     def __init__(self) -> None:
-        store = getattr(moderngl, "_store", None)
-        shared = getattr(store, "default_context", None)
-        functions: Any = _Functions()  # moderngl's stubs know no such object
-        self._context: Any = moderngl.create_context(require=330, context=functions)
-        if store is not None:  # an app's own moderngl.get_context() does not get ours
-            store.default_context = shared
+        self._connection = connection()
+        self._made: WeakSet[Any] = WeakSet()
+        """Objects of moderngl's, whose memory is free only when each has been released."""
 
     def program(
         self,
@@ -65,19 +68,26 @@ class ModernDevice(Device):
         """See `Device.program`; also with a geometry stage. captured: outputs that transform
         feedback takes."""
         try:
-            linked = self._context.program(
+            linked = self._connection.context.program(
                 vertex_shader=vertex, fragment_shader=fragment or None,
                 geometry_shader=geometry or None, varyings=tuple(captured),
             )  # fmt: skip
         except moderngl.Error as error:
             lines = (line.strip("= ") for line in str(error).splitlines())
             raise _not_compiled(name, " ".join(filter(None, lines))) from error
+        self._made.add(linked)
         return Program(linked)
 
     def buffer(self, size: int, *, dynamic: bool = False) -> Any:
         """A buffer of moderngl's with room for so many bytes, one at least. Inside the guard: it
         binds what it makes and writes to ``GL_ARRAY_BUFFER``."""
-        return self._context.buffer(reserve=max(size, 1), dynamic=dynamic)
+        made = self._connection.context.buffer(reserve=max(size, 1), dynamic=dynamic)
+        self._made.add(made)
+        return made
+
+    def abandon(self) -> None:
+        """See `Device.abandon`."""
+        self._connection.forget(list(self._made))
 
 
 class LegacyDevice(Device):
@@ -96,22 +106,6 @@ class LegacyDevice(Device):
             made.release()
             raise _not_compiled(name, words)
         return Program(made)
-
-
-class _Functions:
-    """Where moderngl finds the driver's functions: where PyOpenGL does, whatever made the context
-    (by itself it looks for GLX alone once it has seen another)."""
-
-    def load_opengl_function(self, name: str) -> int:
-        """Its address; 0: there is none."""
-        return address(name)
-
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, *_: object) -> None: ...
-
-    def release(self) -> None:
-        """Nothing is held."""
 
 
 class _Bare:

@@ -74,24 +74,25 @@ class Cover:
         self._covered = False
 
     def release(self) -> None:
-        """Delete what was made in the current context. Outside glBegin/glEnd."""
-        for made in self._forgotten():
-            made.release()
+        """Delete what was made in the current context, and forget what was in others, which may go
+        unheard from now on and leave their addresses to new ones. Outside glBegin/glEnd."""
+        here = current_context()
+        if here in self._flats:
+            self._flats[here].release()
+        for (context, _), paint in self._paints.items():
+            if context == here:
+                paint.release()
+        for context in [*self._devices]:
+            self.forget(context)
 
-    def forget(self) -> None:
-        """What was made in the current context is gone."""
-        self._forgotten()
-
-    def _forgotten(self) -> list[Program | Paint]:
-        context = current_context()
-        self._devices.pop(context, None)
-        found: list[Program | Paint] = []
+    def forget(self, context: int) -> None:
+        """What was made in a context is gone. Calls no GL."""
+        self._flats.pop(context, None)
         for textures in (True, False):
-            paint = self._paints.pop((context, textures), None)
-            if paint is not None:
-                found.append(paint)
-        flat = self._flats.pop(context, None)
-        return found if flat is None else [*found, flat]
+            self._paints.pop((context, textures), None)
+        device = self._devices.pop(context, None)
+        if device is not None:
+            device.abandon()
 
     def _paint(self) -> Paint:
         key = current_context(), self._surface == "paint"
