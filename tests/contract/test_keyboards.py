@@ -15,6 +15,9 @@ import pytest
 from glshim import toolkits
 from glshim.toolkits import Part, Toolkit, keyboard, qt
 
+from .toolkits.sdl2 import Event as SdlEvent
+from .toolkits.sdl2 import Sdl2Rig
+
 Hook = Callable[[str, Any], Toolkit]
 
 
@@ -220,6 +223,49 @@ def test_pygame_gives_the_app_all_events_but_ours(hook: Hook, ours: list[str]) -
     keyboard.listen(None)
     queue += mine
     assert module.get() == mine
+
+
+# -- SDL2 ----------------------------------------------------------------------------------------
+
+
+def test_sdl_gives_the_app_all_events_but_ours(hook: Hook, ours: list[str]) -> None:
+    rig = Sdl2Rig()
+    toolkit = hook("SDL2", rig.modules["sdl2.events"])
+    rig.take()
+    shift = 0x2
+
+    def get(name: str, *arguments: Any) -> list[tuple[str, bool]]:
+        """What one call gives the program, by each way to point to an event."""
+        rig.got.clear()
+        rig.push("F5", True, held=shift)
+        rig.push("F5", True, held=shift, again=True)
+        rig.push("F5", False)
+        rig.push("X", True)
+        event = SdlEvent()
+        assert getattr(rig.events, name)(ctypes.byref(event), *arguments) == 1
+        rig.note(event)
+        assert not rig.queue
+        return rig.got
+
+    pressed = [("X", True)]
+    assert get("SDL_PollEvent") == pressed
+    assert get("SDL_WaitEvent") == pressed
+    assert get("SDL_WaitEventTimeout", 7) == pressed
+    assert ours == ["shift+F5"] * 3
+    rig.push("K", True)
+    assert rig.events.SDL_PollEvent(ctypes.pointer(SdlEvent())) == 0
+    assert ours[3:] == ["K"]
+    events, get_event = (SdlEvent * 10)(), 2
+    for name, down in (("X", True), ("K", False), ("F5", True)):
+        rig.push(name, down)
+    rig.got.clear()
+    assert rig.events.SDL_PeepEvents(events, 10, get_event, 0, 0xFFFF) == 2
+    for event in events[:2]:
+        rig.note(event)
+    assert rig.got == [("X", True), ("F5", True)]
+    toolkit.release(Part.KEYS)
+    rig.push("K", True)
+    assert rig.events.SDL_PollEvent(ctypes.byref(SdlEvent())) == 1
 
 
 # -- Qt -------------------------------------------------------------------------------------------

@@ -69,6 +69,8 @@ TOOLKITS = tuple(
     for name, source, frames in (
         ("qt_widgets", "dxf2gcode", 1),  # which brings PyQt5 and the libraries that it needs
         ("tk_frame", "pyopengltk", 1),
+        ("togl_views", "Togl", 4),
+        ("opengl_tk", "Togl", 3),
         ("sdl_window", "PySDL2", 4),
         ("pyglet_window", "pyglet", 4),
     )

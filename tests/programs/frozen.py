@@ -198,6 +198,23 @@ def freeze_glut(glut: ModuleType, recorder: Recorder) -> None:
     GlutLoop(glut, recorder.moment, recorder.finish).serve(Changes())
 
 
+def freeze_togl(tkinter: ModuleType, recorder: Recorder) -> None:
+    plain = tkinter.BaseWidget.__init__
+
+    def begin(widget: Any, *arguments: Any, **named: Any) -> None:
+        plain(widget, *arguments, **named)
+        if widget.widgetName == "togl":
+            widget.tk.createcommand("shown", shown)
+            widget.tk.call("trace", "add", "execution", str(widget), "leave", "shown")
+
+    def shown(command: str, *_: str) -> None:
+        widget, what = command.split()
+        if what == "swapbuffers":
+            recorder.presented(int(tkinter._default_root.tk.call("winfo", "id", widget), 16))
+
+    tkinter.BaseWidget.__init__ = begin
+
+
 def freeze_glx(glx: ModuleType, recorder: Recorder) -> None:
     around(glx, "glXSwapBuffers", recorder.presented)
 
@@ -268,8 +285,8 @@ def main() -> None:
     luck.hold()
     clocks.hold(recorder.moment)
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
-             "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "sdl2": freeze_sdl2,
-             "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}
+             "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "tkinter": freeze_togl,
+             "sdl2": freeze_sdl2, "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}
     sys.meta_path.insert(0, AfterImport(
         {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))
     recorder.watch(patience=10.0)

@@ -29,11 +29,13 @@ DISTRIBUTIONS = {
 }
 DEBIAN = {  # packages of Debian, unpacked, not installed; the libraries are for Qt's wheel
     "dxf2gcode": ("dxf2gcode", "libxcb-icccm4", "libxcb-keysyms1", "libxcb-xinerama0"),
+    "Togl": ("libtogl2", "libxmu6"),
 }
 NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",), "dxf2gcode": ("PyQt5",)}
 PLACES = {"dxf2gcode": "usr/lib/python3/dist-packages"}  # where a source's modules lie
-MODULES = {"pyopengltk": "tkinter"}  # that come with Python, or do not
-LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu"}
+MODULES = {"pyopengltk": "tkinter", "Togl": "tkinter"}  # that come with Python, or do not
+LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu", "Togl": "usr/lib/x86_64-linux-gnu"}
+TCL = {"Togl": "usr/lib/tcltk"}  # where packages of Tcl's lie
 
 
 class SourceMissing(Exception):
@@ -88,6 +90,14 @@ def unpack(archive: Path, folder: Path) -> None:
             tar.extractall(folder, filter="data")
 
 
+def fetched(name: str) -> Path:
+    """The same, where this Python has what it needs besides."""
+    needed = MODULES.get(name)
+    if needed and find_spec(needed) is None:
+        raise SourceMissing(f"this Python has no {needed}")
+    return unpacked(name)
+
+
 @dataclass(frozen=True, slots=True)
 class Launch:
     """How a program is started."""
@@ -96,18 +106,16 @@ class Launch:
     folder: Path  # the working folder
     paths: tuple[Path, ...] = ()  # folders of Python modules
     libraries: tuple[Path, ...] = ()  # folders of shared libraries
+    tcl: Path | None = None  # the folder of packages of Tcl's
 
 
 def launch(program: Program) -> Launch:
     """Fetch the program where need be and say how it is started."""
-    needed = MODULES.get(program.source)
-    if needed and find_spec(needed) is None:
-        raise SourceMissing(f"this Python has no {needed}")
     folder = HERE.parent.parent
     paths: list[Path] = []
     libraries: list[Path] = []
     if program.source in DISTRIBUTIONS or program.source in DEBIAN:
-        folder = unpacked(program.source)
+        folder = fetched(program.source)
         paths = [folder / PLACES.get(program.source, ""),
                  *map(unpacked, NEEDS.get(program.source, ()))]
         if program.source in LIBRARIES:
@@ -116,4 +124,5 @@ def launch(program: Program) -> Launch:
     if command[0] != "-m":
         script = folder / program.script  # an absolute script stays itself
         command, where = (str(script),), script.parent
-    return Launch((*command, *program.arguments), where, tuple(paths), tuple(libraries))
+    tcl = folder / TCL[program.source] if program.source in TCL else None
+    return Launch((*command, *program.arguments), where, tuple(paths), tuple(libraries), tcl)

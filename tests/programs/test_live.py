@@ -18,12 +18,20 @@ from PIL import Image, ImageGrab
 from .catalog import HERE
 from .hand import ESCAPE, Hand
 from .harness import ROOT
-from .sources import LIBRARIES, SourceMissing, unpacked
+from .sources import LIBRARIES, TCL, SourceMissing, fetched
 
 F1, SHIFT = 0xFFBE, 0xFFE1
-SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT")
+SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT", "key Shift_L")
 """What the programs make of a shift key, which nobody takes from them."""
-TOOLKITS = ("glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt")
+TOOLKITS = (
+    "glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt",
+    "tk", "tk togl", "sdl2", "pyglet",
+)  # fmt: skip
+SOURCES = {
+    "qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",), "tk togl": ("Togl",),
+    "sdl2": ("PySDL2",), "pyglet": ("pyglet",),
+}  # fmt: skip
+"""What brings the toolkits that are fetched."""
 
 
 @pytest.fixture(scope="module")
@@ -91,16 +99,21 @@ class Program:
 @contextmanager
 def running(name: str, display: str, folder: Path, **variables: str) -> Iterator[Program]:
     app, *arguments = name.split()
-    paths, libraries = [str(ROOT)], ""
-    if app == "qt":
-        try:
-            paths.append(str(unpacked("PyQt5")))
-            libraries = str(unpacked("dxf2gcode") / LIBRARIES["dxf2gcode"])
-        except SourceMissing as reason:
-            pytest.skip(str(reason))
+    sources = SOURCES.get(name, SOURCES.get(app, ()))
+    try:
+        folders = {source: fetched(source) for source in sources}
+    except SourceMissing as reason:
+        pytest.skip(str(reason))
+    paths = [str(ROOT), *map(str, folders.values())]
+    libraries, tcl = (
+        os.pathsep.join(str(folders[source] / places[source]) for source in sources
+                        if source in places)
+        for places in (LIBRARIES, TCL)
+    )  # fmt: skip
     environ = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM")}
     environ |= {
         "DISPLAY": display, "PYTHONPATH": os.pathsep.join(paths), "LD_LIBRARY_PATH": libraries,
+        "TCLLIBPATH": tcl,
         "QT_QPA_PLATFORM": "xcb", "SDL_AUDIODRIVER": "dummy", "SDL_VIDEO_WINDOW_POS": "0,0",
         "GLSHIM_STYLE": "none", "GLSHIM_SAVE": str(folder), **variables,
     }  # fmt: skip
