@@ -4,31 +4,57 @@ PyOpenGL is seen."""
 from __future__ import annotations
 
 import functools
+import weakref
 from collections.abc import Iterable
 from typing import Any, ClassVar
 
-from glshim.toolkits import frames
+from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
-from glshim.toolkits.frames import Size
+from glshim.toolkits.frames import Drawable, Size
+from glshim.toolkits.moment import MOMENT, Moment
+
+# From `pyglet.window.key`; they are X's on every system.
+_KEYS = {
+    **{0xFFBD + n: f"F{n}" for n in range(1, 13)},
+    **{ord(name.lower()): name for name in keyboard.NAMES if len(name) == 1},
+    0xFF50: "Home", 0xFF55: "PageUp", 0xFF56: "PageDown", 0xFF57: "End", 0xFF63: "Insert",
+}  # fmt: skip
+_MODIFIERS = {"shift": 1, "ctrl": 2, "alt": 4}
+PRESS, RELEASE, EXPOSE = "on_key_press", "on_key_release", "on_expose"
 
 
 class Pyglet(Toolkit):
-    """A window flips by a method of its class."""
+    """A window flips, and hears of events, by methods of its class."""
 
     name = package = "pyglet"
-    tested = "pyglet 2.1.19 on X"
+    tested = "pyglet 1.5.31 and 2.1.19 on X"
     lacks: ClassVar[Lacks] = {
-        Part.KEYS: "live control hears no key",
-        Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
         Part.CLOCK: "calls that `pyglet.clock` schedules come due only as frames move the time",
     }
 
+    def __init__(self, moment: Moment = MOMENT) -> None:
+        super().__init__(moment)
+        self._windows: weakref.WeakSet[Any] = weakref.WeakSet()
+        """Those that have flipped."""
+
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "pyglet.window", self.hook_flips, "Window.flip")
+        yield Hook(Part.KEYS, "pyglet.window", self.hook_events, "Window.dispatch_event")
 
     def size(self, window: Any) -> Size:
         width, height = window.get_framebuffer_size()
         return width, height
+
+    def drawable(self, window: Any = None) -> Drawable:
+        self._windows.add(window)
+        return super().drawable(window)
+
+    def redraw(self) -> None:
+        """Windows are drawn again while they are `invalid`, and may listen to being exposed."""
+        for window in tuple(self._windows):
+            if window.context is not None:  # else it is closed
+                window.invalid = True
+                window.dispatch_event(EXPOSE)
 
     def hook_flips(self, module: Any, changes: Changes) -> None:
         plain = module.Window.flip
@@ -38,6 +64,24 @@ class Pyglet(Toolkit):
             frames.present(plain, window, on=self.drawable(window))
 
         changes.set(module.Window, "flip", flip)
+
+    def hook_events(self, module: Any, changes: Changes) -> None:
+        plain = module.BaseWindow.dispatch_event
+
+        @functools.wraps(plain)
+        def dispatch_event(window: Any, *event: Any) -> Any:
+            if keyboard.listening() and event and event[0] in (PRESS, RELEASE) and _is_ours(*event):
+                return None
+            return plain(window, *event)
+
+        changes.set(module.BaseWindow, "dispatch_event", dispatch_event)
+
+
+def _is_ours(kind: str, symbol: int, modifiers: int) -> bool:
+    name = _KEYS.get(symbol)
+    if kind == RELEASE:
+        return keyboard.released(name)
+    return keyboard.pressed(name, keyboard.modifiers(modifiers, _MODIFIERS))
 
 
 TOOLKITS = (Pyglet(),)

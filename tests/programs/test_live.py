@@ -21,7 +21,7 @@ from .harness import ROOT
 from .sources import LIBRARIES, TCL, SourceMissing, fetched
 
 F1, SHIFT = 0xFFBE, 0xFFE1
-SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT", "key Shift_L")
+SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT", "key Shift_L", "key LSHIFT")
 """What the programs make of a shift key, which nobody takes from them."""
 TOOLKITS = (
     "glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt",
