@@ -9,9 +9,8 @@ says what to draw of a layer, and the output finds its lines and draws them.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from glshim import toolkits
 from glshim.bindings.base import Binding
@@ -25,8 +24,6 @@ from glshim.sources.fixed.lights import light
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, say_unstyled
-from glshim.spec.ask import integer
-from glshim.spec.constants import GL_DOUBLEBUFFER
 from glshim.styling.enlarging import enlarged
 from glshim.styling.protocol import Layer, Pass, Styler
 from glshim.toolkits import Part, frames
@@ -102,6 +99,7 @@ class Pipeline:
 
     def draw_into(self, destination: Destination) -> None:
         """What the program draws into from now on."""
+        frames.buffering(destination.double_buffered)
         scale, self._destination = self._destination.scale, destination
         if scale != destination.scale:
             self._enlarge()
@@ -154,13 +152,6 @@ class Pipeline:
                 refusals.append(str(error))
         if len(refusals) == len(self._outputs):
             scene.unpainted = "; ".join(refusals)
-
-    def flush(self, call: Callable[[], Any]) -> Any:
-        """glFlush and glFinish end the frame of a single-buffered or off-screen context."""
-        double = self._destination.double_buffered
-        if double is None:
-            double = bool(integer(GL_DOUBLEBUFFER))
-        return call() if double else frames.present(call)
 
     def _frame_over(self) -> None:
         """A frame was presented."""

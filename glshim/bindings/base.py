@@ -71,9 +71,6 @@ class Watcher(PrimitiveSink, ShapeSink, Protocol):
         """After any watched call inside a primitive, and one of `roles.INSIDE` anywhere in an open
         list; ``call(*args)`` would make it again."""
 
-    def flush(self, call: Callable[[], Any]) -> Any:
-        """In place of glFlush or glFinish, which ``call`` makes."""
-
 
 class PrimitiveStream(Protocol):
     """The record of the primitive that is open, and of what an open list has outside primitives.

@@ -20,6 +20,8 @@ from glshim.toolkits.frames import Stage
 from glshim.toolkits.moment import MOMENT
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
     from glshim.control.live import Controls
     from glshim.running.shots.shooter import Shot
 
@@ -47,8 +49,8 @@ def begin(folder: str) -> None:
     if settings.capture is not None:
         from glshim.outputs.gl.frame.grab import FrameWriter
 
-        writer = FrameWriter(settings.capture, frames.drawable_size, frames.drawable_framebuffer)
-        frames.listen(Stage.CAPTURE, before=writer.write)
+        writer = FrameWriter(settings.capture, _picture, lambda: frames.presented() + 1)
+        frames.listen(Stage.CAPTURE, before=writer.write, read=writer.write)
     if settings.live is not None:
         _watch_keys(settings.live, settings.style, folder)
     if stillness.VARIABLE in os.environ:
@@ -57,6 +59,18 @@ def begin(folder: str) -> None:
         FrameLimit(settings.frames).install()
     if frames.has_listeners():
         toolkits.watch(Part.FRAMES)
+
+
+def _picture() -> Image | None:
+    """Of the frame that ends; None where the window is minimised."""
+    from glshim.outputs.gl.frame.grab import grab
+
+    size = frames.drawable_size()
+    if size is not None and 0 in size:
+        return None
+    return grab(
+        size, frames.drawable_framebuffer(), frames.drawable_buffer(), frames.drawable_texture()
+    )
 
 
 def _shot() -> Shot | None:

@@ -4,8 +4,16 @@ from __future__ import annotations
 
 import ctypes
 
-from glshim.spec.constants import GL_VERTEX_ATTRIB_ARRAY_POINTER
+from glshim.spec.constants import (
+    GL_TEXTURE_2D,
+    GL_TEXTURE_HEIGHT,
+    GL_TEXTURE_RECTANGLE,
+    GL_TEXTURE_TARGET,
+    GL_TEXTURE_WIDTH,
+    GL_VERTEX_ATTRIB_ARRAY_POINTER,
+)
 from glshim.spec.driver import gl
+from glshim.spec.pixels import TextureImage
 
 
 def integer(name: int) -> int:
@@ -94,3 +102,21 @@ def of_binding(position: int, name: int) -> int:
     value = ctypes.c_int(0)
     gl.glGetIntegeri_v(name, position, ctypes.byref(value))
     return value.value
+
+
+def size_of(image: TextureImage) -> tuple[int, int] | None:
+    """Width and height of a texture's level in pixels; None where it has not two dimensions."""
+    value = ctypes.c_int(0)
+    if image.texture:
+        gl.glGetTextureParameteriv(image.texture, GL_TEXTURE_TARGET, ctypes.byref(value))
+    target = value.value if image.texture else image.target
+    if target not in (GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE):
+        return None
+    found = []
+    for name in (GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT):
+        if image.texture:
+            gl.glGetTextureLevelParameteriv(image.texture, image.level, name, ctypes.byref(value))
+        else:
+            gl.glGetTexLevelParameteriv(target, image.level, name, ctypes.byref(value))
+        found.append(value.value)
+    return found[0], found[1]

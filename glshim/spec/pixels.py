@@ -7,6 +7,53 @@ import re
 from enum import Enum
 from typing import NamedTuple
 
+from glshim.spec.constants import (
+    GL_BGRA_INTEGER,
+    GL_DEPTH_COMPONENT,
+    GL_DEPTH_STENCIL,
+    GL_RED_INTEGER,
+    GL_RG_INTEGER,
+    GL_STENCIL_INDEX,
+)
+
+PICK_AREA = 64
+"""Pixels. A readback of at most so many is an app looking for what lies under the pointer; a larger
+one is a picture."""
+
+
+class TextureImage(NamedTuple):
+    """A level of a texture of two dimensions."""
+
+    texture: int
+    """Its name; 0: the one that is bound to the target."""
+    target: int
+    level: int
+
+
+class ImageRead(NamedTuple):
+    """How a `Role.READ_IMAGE` entry point says what it reads: first the texture or the target, then
+    the level."""
+
+    by_name: bool
+    format: int
+    """The position of the format among its arguments."""
+
+
+IMAGE_READS = {
+    "glGetTexImage": ImageRead(False, 2),
+    "glGetnTexImage": ImageRead(False, 2),
+    "glGetnTexImageARB": ImageRead(False, 2),
+    "glGetTextureImage": ImageRead(True, 2),
+    "glGetTextureSubImage": ImageRead(True, 8),
+}
+COLOURLESS = frozenset(
+    (
+        GL_DEPTH_COMPONENT, GL_DEPTH_STENCIL, GL_STENCIL_INDEX, GL_RG_INTEGER,
+        *range(GL_RED_INTEGER, GL_BGRA_INTEGER + 1),
+    )
+)  # fmt: skip
+"""Formats of what is read back that is no picture: depths, names of objects."""
+
 
 class PixelRole(Enum):
     """What a call's numbers are."""

@@ -49,6 +49,7 @@ class Role(Enum):
     READ_PIXELS = "reads pixels back: the layer must be in them, but for a few that are for picking"
     READBACK = "reads the picture back another way: the layer must be in it"
     TARGET = "turns drawing to another framebuffer: the layer ends"
+    READ_IMAGE = "reads a texture's image back to the app"
     FLUSH = "glFlush, glFinish: the end of a frame in a single-buffered window"
     BUFFER_WRITE = "changes what the buffer object bound to a target holds"
     NAMED_BUFFER_WRITE = "changes what the buffer object of a name holds"
@@ -78,11 +79,16 @@ IN_LISTS = frozenset(
 WATCHED = (
     POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES
     | {
-        Role.LIST_FORGET, Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READBACK,
-        Role.TARGET, Role.CLIP_PLANE,
+        Role.LIST_FORGET, Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READ_IMAGE,
+        Role.READBACK, Role.TARGET, Role.CLIP_PLANE,
     }
 )  # fmt: skip
 """Told to whoever follows the app's draws."""
+PICTURE_CALLS = frozenset(
+    (Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READ_IMAGE, Role.FLUSH)
+)
+"""Begin a picture, read one back, or have it finished: all that is heard of a frame that no window
+shows."""
 
 
 ROWS: tuple[tuple[Role, str], ...] = (
@@ -139,6 +145,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.CLEAR, r"glClear"),
     (Role.CLEAR_BUFFER, r"glClearBuffer(fi|fv|iv|uiv)|glClearNamedFramebuffer\w+"),
     (Role.READ_PIXELS, r"glReadn?Pixels(ARB|KHR)?"),
+    (Role.READ_IMAGE, r"glGetn?TexImage(ARB)?|glGetTexture(Sub)?Image(EXT)?|glGetMultiTexImageEXT"),
     (Role.READBACK, r"glCopy(Multi)?Tex(ture)?(Sub)?Image[123]D(EXT)?"),
     (Role.READBACK, r"glAccum(xOES)?|glBlit(Named)?Framebuffer\w*|glCopyImageSubData(NV)?"),
     (Role.READBACK, r"glCopy(Color(Sub)?Table|ConvolutionFilter\dD)\w*"),

@@ -21,6 +21,8 @@ from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
 from glshim.notices import say_fault
+from glshim.spec.driver import current_context
+from glshim.spec.pixels import TextureImage
 from glshim.system.interrupts import Held
 
 Result = TypeVar("Result")
@@ -52,6 +54,7 @@ class Listener:
     stage: Stage
     before: Callable[[], None] | None
     after: Callable[[], None] | None
+    read: Callable[[], None] | None = None
 
     def stop(self) -> None:
         """Listen no more. A toolkit's hook with no listener only calls the toolkit."""
@@ -70,9 +73,15 @@ class Drawable:
     """The framebuffer object that it is drawn into, 0 for the window's own."""
     leave: Callable[[], bool] = lambda: False
     """Asks the app's main loop to return, soon; False where no such loop runs."""
+    buffer: int = 0
+    """The framebuffer's buffer that is looked at, 0 for the one that is shown."""
+    texture: TextureImage | None = None
+    """What is looked at in place of a framebuffer."""
+    is_shown: bool = True
+    """By a toolkit; else the app reads it back."""
 
 
-UNKNOWN = Drawable(lambda: None)
+UNKNOWN = Drawable(lambda: None, is_shown=False)
 _listeners: tuple[Listener, ...] = ()
 _drawable = UNKNOWN
 _presented = 0
@@ -82,6 +91,13 @@ _loop_asked = False
 """The app's main loop was asked to return: frames that it still shows are nobody's."""
 _showing: set[int] = set()
 """Threads in which a frame is being shown."""
+_drawing: set[int] = set()
+"""Threads in which a toolkit has the app draw, and shows what that leaves."""
+_shown = False
+"""A toolkit has presented a frame: nothing that is read back is one."""
+_read: Drawable | None = None
+"""What was last read back, where that may be all that becomes of the frame."""
+_double_buffered: bool | None = None
 
 
 def listen(
@@ -89,12 +105,14 @@ def listen(
     *,
     before: Callable[[], None] | None = None,
     after: Callable[[], None] | None = None,
+    read: Callable[[], None] | None = None,
 ) -> Listener:
     """Have the functions called at each frame end, after those of earlier stages and those that
     came to the same stage earlier, until the listener is stopped. Toolkits end frames only once
-    they are hooked: see `glshim.toolkits.watch`."""
+    they are hooked: see `glshim.toolkits.watch`. read: the app has read back what may be the
+    frame, which keeps its number until a toolkit shows it or another begins."""
     global _listeners
-    listener = Listener(stage, before, after)
+    listener = Listener(stage, before, after, read)
     _listeners = tuple(sorted((*_listeners, listener), key=lambda each: each.stage))
     return listener
 
@@ -150,8 +168,9 @@ class Ending:
 @contextmanager
 def _ending(on: Drawable) -> Iterator[None]:
     """Inside it a frame is shown, once: toolkits call one another."""
-    global _presented, _drawable
+    global _drawable, _shown, _read
     outer, _drawable = _drawable, on
+    _shown, _read = _shown or on.is_shown, None
     thread = get_ident()
     _showing.add(thread)
     try:
@@ -159,21 +178,62 @@ def _ending(on: Drawable) -> Iterator[None]:
             for listener in _listeners:
                 _call(listener.before)
         yield
-        with Held():
-            _presented += 1
-            for listener in _listeners:
-                _call(listener.after)
-        if _leaving:
-            _leave(on)
+        _over(on)
     finally:
         _showing.discard(thread)
         _drawable = outer
 
 
+def _over(drawable: Drawable) -> None:
+    """The frame is over."""
+    global _presented
+    with Held():
+        _presented += 1
+        for listener in _listeners:
+            _call(listener.after)
+    if _leaving:
+        _leave(drawable)
+
+
+def read_back(on: Drawable) -> None:
+    """The app has read its picture. It is a frame unless a toolkit shows it yet."""
+    global _drawable, _read
+    outer, _drawable = _drawable, on
+    try:
+        with Held():
+            for listener in _listeners:
+                _call(listener.read)
+        _read = on
+    finally:
+        _drawable = outer
+
+
+def end_read() -> None:
+    """Another frame begins, and no toolkit has shown what was read back: that was a frame."""
+    global _drawable, _read
+    on, _read = _read, None
+    if on is None:
+        return
+    outer, _drawable = _drawable, on
+    try:
+        with Held():
+            for listener in _listeners:
+                if listener.stage is Stage.DRAW:
+                    _call(listener.before)
+        _over(on)
+    finally:
+        _drawable = outer
+
+
+def shown_by_a_toolkit() -> bool:
+    """Whether what the app draws now is shown by a toolkit: one has shown frames, or has it draw
+    in this thread."""
+    return _shown or get_ident() in _drawing
+
+
 def _context_is_current() -> bool:
     # Without PyOpenGL there is nothing of ours in the frame.
-    platform = sys.modules.get("OpenGL.platform")
-    return platform is not None and bool(platform.PLATFORM.GetCurrentContext())
+    return "OpenGL.platform" in sys.modules and bool(current_context())
 
 
 @contextmanager
@@ -181,10 +241,15 @@ def drawing(on: Drawable) -> Iterator[None]:
     """Frames that end inside belong to this drawable."""
     global _drawable
     outer, _drawable = _drawable, on
+    thread = get_ident()
+    is_first = thread not in _drawing
+    _drawing.add(thread)
     try:
         yield
     finally:
         _drawable = outer
+        if is_first:
+            _drawing.discard(thread)
 
 
 def presented() -> int:
@@ -204,6 +269,28 @@ def drawable_framebuffer() -> int:
     with suppress(Exception):
         return _drawable.framebuffer()
     return 0
+
+
+def drawable_buffer() -> int:
+    """The buffer of that framebuffer that is looked at, 0 for the one that is shown."""
+    return _drawable.buffer
+
+
+def drawable_texture() -> TextureImage | None:
+    """The texture that the app reads its picture from, if it does."""
+    return _drawable.texture
+
+
+def buffering(double: bool | None) -> None:
+    """Whether the window is double-buffered, while something else takes its place; None: the
+    driver knows."""
+    global _double_buffered
+    _double_buffered = double
+
+
+def window_is_double_buffered() -> bool | None:
+    """What was said of it; None: the driver knows."""
+    return _double_buffered
 
 
 def end_program() -> None:

@@ -29,7 +29,7 @@ class Glx(Toolkit):
         if not module.glXSwapBuffers:  # which loads it; none without GLX
             return
         function = type(module.glXSwapBuffers)
-        swap = functools.partial(frames.present, function.__call__)
+        swap = functools.partial(frames.present, function.__call__, on=self.drawable())
         changes.set(function, "__call__", staticmethod(swap))
 
 

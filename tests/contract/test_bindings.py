@@ -38,7 +38,7 @@ def test_a_binding_gives_all_that_it_should(name: str) -> None:
 
 
 def test_the_follower_hears_all_that_bindings_tell() -> None:
-    assert {"begin", "before", "after_shape", "flush"} <= members(Watcher)
+    assert {"begin", "before", "after_shape"} <= members(Watcher)
     assert [m for m in members(Watcher) if not callable(getattr(Follower, m, None))] == []
 
 

@@ -111,7 +111,6 @@ def test_a_larger_drawable_enlarges_the_style_and_tells_the_outputs(
     followed.layer_ends(FINISHED, scene())
     assert output.heard[-1][::2] == ([(24.0, 8.0)], tile)
     assert followed.styler == Sized()
-    assert followed.flush(lambda: "no frame ends here") == "no frame ends here"
     followed.draw_into(WINDOW)
     followed.layer_ends(FINISHED, scene())
     assert output.heard[-1][::2] == ([(3.0, 1.0)], WINDOW)

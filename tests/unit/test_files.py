@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import socket
 import stat
@@ -125,13 +126,12 @@ def test_a_new_picture_takes_no_name_that_is_there(odd: Path, tmp_path: Path) ->
 @pytest.fixture
 def writer(monkeypatch: pytest.MonkeyPatch) -> Iterator[pytest.MonkeyPatch]:
     """Frames without OpenGL."""
-    monkeypatch.setattr(grab, "grab", lambda size, framebuffer: RED)
     monkeypatch.setattr(pictures, "grab", lambda size, framebuffer: RED)
     yield monkeypatch
 
 
 def captured(pattern: Path, capsys: pytest.CaptureFixture[str], frames: int = 3) -> list[str]:
-    writes = grab.FrameWriter(str(pattern), lambda: (4, 3))
+    writes = grab.FrameWriter(str(pattern), lambda: RED, itertools.count(1).__next__)
     for _ in range(frames):
         writes.write()
     return capsys.readouterr().err.splitlines()

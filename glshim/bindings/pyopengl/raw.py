@@ -17,17 +17,26 @@ from glshim.bindings.imports import after_import
 Call = Callable[..., Any]
 Maker = Callable[[Call], Call]
 """Given the original call, makes the hook. Wrapper makers get and give calls with ``self``."""
+Matcher = Callable[[str], Maker | None]
+"""Gives the maker of a name, None for names that it leaves alone."""
+
+
+def _nothing(name: str) -> Maker | None:
+    return None
 
 
 class _Slot:
     """One class of PyOpenGL's that carries a call for a GL name."""
 
-    __slots__ = ("cls", "hooked", "original", "static")
+    __slots__ = ("cls", "found", "hooked", "original", "over", "static")
 
     def __init__(self, cls: type, original: Call, *, static: bool) -> None:
         self.cls = cls
+        self.found = vars(cls).get("__call__")
         self.original = original
         self.static = static
+        self.over: Maker | None = None
+        """What stands around the hook, or around the original where there is none."""
         self.hooked: dict[int, tuple[Maker, Call]] = {}
 
     def _set(self, call: Any) -> None:
@@ -35,16 +44,21 @@ class _Slot:
 
     def put(self, maker: Maker | None) -> None:
         """Carry the maker's hook, or the original again."""
-        if maker is None:
+        if maker is None and self.over is None:
             if self.static:
-                self._set(staticmethod(self.original))
+                self._set(self.found or staticmethod(self.original))
             elif "__call__" in vars(self.cls):
                 del self.cls.__call__
             return
-        if id(maker) not in self.hooked:
-            self.hooked[id(maker)] = (maker, maker(self.original))
-        hook = self.hooked[id(maker)][1]
+        hook = self.original if maker is None else self._made(maker, self.original)
+        if self.over is not None:
+            hook = self.over(hook)
         self._set(staticmethod(hook) if self.static else hook)
+
+    def _made(self, maker: Maker, original: Call) -> Call:
+        if id(maker) not in self.hooked:
+            self.hooked[id(maker)] = (maker, maker(original))
+        return self.hooked[id(maker)][1]
 
 
 class RawLayer:
@@ -55,17 +69,23 @@ class RawLayer:
         self._wrappers: dict[str, list[_Slot]] = {}
         self._raw_makers: dict[str, Maker] = {}
         self._wrapper_makers: dict[str, Maker] = {}
-        self.matchers: list[Callable[[str], Maker | None]] = []
+        self.matchers: list[Matcher] = []
         self._undo: list[Callable[[], None]] = []
-        self._below: Callable[[str], Maker | None] = lambda name: None
+        self._installed = False
+        self._below: Matcher = _nothing
+        self._over: Matcher = _nothing
 
     @property
     def installed(self) -> bool:
-        """Whether PyOpenGL is being followed."""
-        return bool(self._undo)
+        """Whether calls may be hooked: :meth:`hook_over` needs no more than itself."""
+        return self._installed
 
     def install(self) -> None:
         """Follow PyOpenGL: what it has loaded already and what it will load."""
+        self._installed = True
+        self._follow()
+
+    def _follow(self) -> None:
         if self._undo:
             return
         from OpenGL.platform import baseplatform
@@ -90,7 +110,21 @@ class RawLayer:
             "OpenGL.lazywrapper", lambda module: self._follow_wrappers(module._LazyWrapper)
         )
 
-    def hook_below(self, matcher: Callable[[str], Maker | None]) -> None:
+    def hook_over(self, matcher: Matcher | None) -> None:
+        """Stand around calls and their hooks, whoever else hooks them or not; None: no more.
+        matcher: what makes, of a call of that name, the one around it, if there is one."""
+        self._over = matcher or _nothing
+        if matcher is not None:
+            self._follow()
+        for name, slots in self._raw.items():
+            over = self._over(name)
+            for slot in slots:
+                if over is not None or slot.over is not None:  # others' hooks stay where they are
+                    slot.over = over
+                    slot.put(self._raw_makers.get(name))
+        self._leave()
+
+    def hook_below(self, matcher: Matcher) -> None:
         """Change calls below every hook, for names loaded from now on and for good: a shot does.
         matcher: what makes the hook of a name, if it has one."""
         self._below = matcher
@@ -116,10 +150,12 @@ class RawLayer:
             original = below(original)
         slot = _Slot(cls, original, static=True)
         if below is not None:
+            slot.found = None
             slot.put(None)
+        slot.over = self._over(cls.__name__)
         self._raw.setdefault(cls.__name__, []).append(slot)
         maker = self._raw_maker(cls.__name__)
-        if maker is not None:
+        if maker is not None or slot.over is not None:
             slot.put(maker)
 
     def _adopt_wrapper(self, cls: type, original: Call) -> None:
@@ -162,7 +198,7 @@ class RawLayer:
         for slot in self._wrappers.get(name, ()):
             slot.put(maker)
 
-    def hook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
+    def hook_matching(self, matcher: Matcher) -> None:
         """Hook every name for which the matcher gives a maker, now and when it loads."""
         self.matchers.append(matcher)
         for name in list(self._raw):
@@ -171,7 +207,7 @@ class RawLayer:
                 if maker is not None:
                     self.hook(name, maker)
 
-    def unhook_matching(self, matcher: Callable[[str], Maker | None]) -> None:
+    def unhook_matching(self, matcher: Matcher) -> None:
         """Undo :meth:`hook_matching`."""
         self.matchers.remove(matcher)
         for name in list(self._raw_makers):
@@ -179,7 +215,7 @@ class RawLayer:
                 self.hook(name, None)
 
     def uninstall(self) -> None:
-        """Leave PyOpenGL as it was found."""
+        """Leave PyOpenGL as it was found, but for what `hook_over` put around its calls."""
         self._raw_makers.clear()
         self._wrapper_makers.clear()
         self.matchers.clear()
@@ -187,6 +223,13 @@ class RawLayer:
             for slot in slots:
                 if slot.hooked:
                     slot.put(None)
+        self._installed = False
+        self._leave()
+
+    def _leave(self) -> None:
+        """Follow no more, where nobody needs it."""
+        if self._installed or self._over is not _nothing:
+            return
         self._raw.clear()
         self._wrappers.clear()
         while self._undo:

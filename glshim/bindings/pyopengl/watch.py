@@ -71,8 +71,6 @@ class Watch:
 
     def _watching(self, name: str) -> Maker | None:
         role = role_of(name)
-        if role is Role.FLUSH:
-            return self._maker(name, lambda: self._flushing)
         if role in WATCHED:
             return self._maker(name, lambda: self._telling(name, role))
         return None
@@ -200,15 +198,6 @@ class Watch:
             RAW.hook_matching(self._in_lists)
         elif not follow and self._in_lists in RAW.matchers:
             RAW.unhook_matching(self._in_lists)
-
-    def _flushing(self, real: Call) -> Call:
-        def hook(*args: Any) -> Any:
-            watcher = self._watcher
-            if watcher is None or args or _RECORD.inside() or _RECORD.list_open:
-                return real(*args)
-            return watcher.flush(real)
-
-        return hook
 
 
 WATCH = Watch()

@@ -20,6 +20,7 @@ from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
+from glshim.spec.pixels import PICK_AREA
 from glshim.spec.roles import (
     BUFFER_WRITES,
     IN_LISTS,
@@ -32,10 +33,6 @@ from glshim.spec.shapes import Shape
 from glshim.system.interrupts import Held, is_ours
 
 _COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
-_PICK_AREA = 64
-"""A readback of at most so many pixels is an app looking for what lies under the pointer: it gets
-the app's own colours. A larger one is a picture and shows the lines."""
-
 _REFUSED = frozenset((Role.ARRAY_DRAW, Role.EVALUATOR_MESH))
 """Draws that read the app's memory, or must be made again: with an error GL has made none of it."""
 _MOST_PLACES, _MOST_IN_A_ROW = 3, 16
@@ -55,9 +52,6 @@ class LayerSink(Protocol):
 
     def layer_ends(self, layer: FinishedLayer, scene: Scene) -> None:
         """The depth of a layer with polygons is final, in the current context's scene."""
-
-    def flush(self, call: Callable[[], Any]) -> Any:
-        """glFlush or glFinish, which ``call`` makes; it may end a frame."""
 
     def context_ended(self, handle: int) -> None:
         """A context is gone, and another one is current: at its address perhaps."""
@@ -226,9 +220,9 @@ class Follower:
         elif role is Role.CLEAR_BUFFER:
             self._clear(scene, _COLOR_AND_DEPTH)
         elif role is Role.READ_PIXELS:
-            if number(args, 2) * number(args, 3) > _PICK_AREA:
+            if number(args, 2) * number(args, 3) > PICK_AREA:  # else it gets the app's colours
                 self._finish(scene)
-        elif role is Role.READBACK or role is Role.TARGET:
+        elif role in _READERS:
             self._finish(scene)
         elif role in BUFFER_WRITES:
             if not scene.refused:
@@ -393,14 +387,9 @@ class Follower:
             scene.fixed.tick()
             self._scenes.frame_ends()
 
-    def flush(self, call: Callable[[], Any]) -> Any:
-        """In place of glFlush or glFinish."""
-        scene = self._scenes.current()
-        if scene is None or scene.refused or scene.unpainted:
-            return call()
-        return self._sink.flush(call)
 
-
+_READERS = frozenset((Role.READBACK, Role.READ_IMAGE, Role.TARGET))
+"""They read the picture, or turn to another one."""
 _RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
 """When a new context at an old one's address is looked out for: a program that draws comes by."""
 

@@ -1,0 +1,56 @@
+"""EGL by PyOpenGL, for programs that make their surfaces themselves: windows of Wayland and X."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterable
+from typing import Any, ClassVar
+
+from glshim.toolkits import frames
+from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
+from glshim.toolkits.frames import Size
+
+EGL_HEIGHT, EGL_WIDTH = 0x3056, 0x3057
+
+
+class Egl(Toolkit):
+    """One function of PyOpenGL's raw layer. Surfaces are given as (display, surface)."""
+
+    name, package, distribution = "EGL", "OpenGL", "PyOpenGL"
+    tested = "Mesa 22.3: windows of X, pbuffers, no surface at all"
+    lacks: ClassVar[Lacks] = {
+        Part.KEYS: "live control hears no key",
+        Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
+        Part.CLOCK: "what shows the time runs on",
+    }
+
+    def __init__(self, *arguments: Any) -> None:
+        super().__init__(*arguments)
+        self._module: Any = None
+
+    def hooks(self) -> Iterable[Hook]:
+        yield Hook(Part.FRAMES, "OpenGL.raw.EGL.VERSION.EGL_1_0", self.hook_swaps, "eglSwapBuffers")
+
+    def size(self, window: Any) -> Size:
+        found = []
+        for name in (EGL_WIDTH, EGL_HEIGHT):
+            value = ctypes.c_int()
+            self._module.eglQuerySurface(*window, name, ctypes.byref(value))
+            found.append(value.value)
+        return found[0], found[1]
+
+    def hook_swaps(self, module: Any, changes: Changes) -> None:
+        if not module.eglSwapBuffers:  # which loads it; none without EGL
+            return
+        self._module = module
+        function = type(module.eglSwapBuffers)
+        plain = function.__call__
+
+        def swap(display: Any, surface: Any, *more: Any) -> Any:
+            on = self.drawable((display, surface))
+            return frames.present(plain, display, surface, *more, on=on)
+
+        changes.set(function, "__call__", staticmethod(swap))
+
+
+TOOLKITS = (Egl(),)
