@@ -102,7 +102,7 @@ class CapturingRunner(Runner):
             camera = body.camera.affine()
             inputs = inputs_of(camera, Frame(DepthCopy(), 0.0))
             assert inputs is not None, "this camera sees nothing"
-            gl.glBindVertexArray(self._array)
+            self._open_array()
             ready = self._ready(one, replace(body, camera=camera), inputs)
             assert ready is not None, "this pose is another mesh's"
             found.append(self._capture(one, ready, names))

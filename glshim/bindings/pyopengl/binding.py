@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from glshim.bindings.base import Binding, PrimitiveStream, Watcher
 from glshim.bindings.pyopengl.clibraries import C_LIBRARIES
+from glshim.bindings.pyopengl.names import NAMES
 from glshim.bindings.pyopengl.raw import RAW
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.bindings.pyopengl.watch import WATCH
@@ -22,6 +23,7 @@ class PyOpenGL:
 
     def install(self) -> None:
         RAW.install()
+        NAMES.install()
         RECORDER.install()
         WATCH.install()
 

@@ -28,7 +28,7 @@ def _nothing(name: str) -> Maker | None:
 class _Slot:
     """One class of PyOpenGL's that carries a call for a GL name."""
 
-    __slots__ = ("cls", "found", "hooked", "original", "over", "static")
+    __slots__ = ("cls", "found", "hooked", "now", "original", "over", "static")
 
     def __init__(self, cls: type, original: Call, *, static: bool) -> None:
         self.cls = cls
@@ -38,12 +38,20 @@ class _Slot:
         self.over: Maker | None = None
         """What stands around the hook, or around the original where there is none."""
         self.hooked: dict[int, tuple[Maker, Call]] = {}
+        self.now: Maker | None = None
 
     def _set(self, call: Any) -> None:
         type.__setattr__(self.cls, "__call__", call)
 
+    def sink(self, maker: Maker) -> None:
+        """Have the maker's hook below what is carried, and below all that will be."""
+        self.original, self.found = maker(self.original), None
+        self.hooked.clear()
+        self.put(self.now)
+
     def put(self, maker: Maker | None) -> None:
         """Carry the maker's hook, or the original again."""
+        self.now = maker
         if maker is None and self.over is None:
             if self.static:
                 self._set(self.found or staticmethod(self.original))
@@ -72,7 +80,9 @@ class RawLayer:
         self.matchers: list[Matcher] = []
         self._undo: list[Callable[[], None]] = []
         self._installed = False
-        self._below: Matcher = _nothing
+        self._below: list[Matcher] = []
+        self._sunk: set[tuple[type, int]] = set()
+        """What is below already, by class: it outlives an installation."""
         self._over: Matcher = _nothing
 
     @property
@@ -125,9 +135,19 @@ class RawLayer:
         self._leave()
 
     def hook_below(self, matcher: Matcher) -> None:
-        """Change calls below every hook, for names loaded from now on and for good: a shot does.
-        matcher: what makes the hook of a name, if it has one."""
-        self._below = matcher
+        """Change calls below every hook, now and when they load, and for good. matcher: what makes
+        the hook of a name, if it has one."""
+        self._below.append(matcher)
+        for slots in self._raw.values():
+            for slot in slots:
+                self._sink(slot, matcher)
+
+    def _sink(self, slot: _Slot, matcher: Matcher) -> None:
+        maker = matcher(slot.cls.__name__)
+        place = slot.cls, id(matcher)
+        if maker is not None and place not in self._sunk:
+            self._sunk.add(place)
+            slot.sink(maker)
 
     def _follow_wrappers(self, base: Any) -> None:
         if not self._undo:  # uninstalled before the import came
@@ -145,13 +165,9 @@ class RawLayer:
     def _adopt(self, cls: type) -> None:
         call = vars(cls)["__call__"]
         original = call.__func__ if isinstance(call, staticmethod) else call
-        below = self._below(cls.__name__)
-        if below is not None:
-            original = below(original)
         slot = _Slot(cls, original, static=True)
-        if below is not None:
-            slot.found = None
-            slot.put(None)
+        for matcher in self._below:
+            self._sink(slot, matcher)
         slot.over = self._over(cls.__name__)
         self._raw.setdefault(cls.__name__, []).append(slot)
         maker = self._raw_maker(cls.__name__)

@@ -16,6 +16,7 @@ from glshim.linework.polygon_lines import lay_pattern
 from glshim.model.batch import Item
 from glshim.model.camera import Camera
 from glshim.notices import say_once
+from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.devices import Device, ModernDevice, attach
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
@@ -133,6 +134,7 @@ class Backend:
         bits = integer(GL_DEPTH_BITS)
         reversed_depth = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
         plainly()
+        put_the_apps_arrays_away()
         if not bits or not self._depth.take(box, bits):
             if self._depth_fill is None:
                 self._depth_fill = DepthFill(self._device)

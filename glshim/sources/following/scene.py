@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable
 
 from glshim.bindings.base import PrimitiveStream
@@ -13,20 +12,11 @@ from glshim.sources.following.layers import LayerCollector
 from glshim.sources.programs.source import Programs
 from glshim.sources.source import Source
 from glshim.sources.state import DrawState, StateReader
-from glshim.spec.ask import integer
-from glshim.spec.constants import (
-    GL_DRAW_FRAMEBUFFER,
-    GL_DRAW_FRAMEBUFFER_BINDING,
-    GL_FRAMEBUFFER,
-    GL_READ_FRAMEBUFFER,
-    GL_READ_FRAMEBUFFER_BINDING,
-    GL_VERTEX_ARRAY_BINDING,
-)
-from glshim.spec.context import has_vertex_arrays, shortcoming
-from glshim.spec.driver import current_context, gl
+from glshim.spec.context import shortcoming
+from glshim.spec.driver import current_context
 from glshim.spec.lifetime import witness
+from glshim.spec.objects import FRAMEBUFFER, made
 
-_MARKER = 997
 _FRAMES_BETWEEN_LOOKS = 256
 """A look asks the window system once a context."""
 
@@ -74,19 +64,18 @@ class Scene:
         return "no source knows their polygons"
 
     def mark(self) -> None:
-        """Leave a mark in the context, so that :attr:`stale` can tell. When the first layer ends:
-        until then nothing of ours is in it."""
+        """Leave a mark in the context, so that :attr:`stale` can tell: an object of the one kind of
+        ours that contexts need not share. When the first layer ends: until then nothing of ours is
+        in it."""
         if not self._marker:
-            self._marker = _mark()
+            self._marker = made(FRAMEBUFFER)
 
     @property
     def stale(self) -> bool:
         """Whether the current context is another one, at the address of the one that was."""
         if not self._marker:
             return False
-        is_there = gl.glIsVertexArray if has_vertex_arrays() else gl.glIsFramebuffer
-        return not is_there(self._marker)
-
+        return not FRAMEBUFFER.is_there(self._marker)
 
     @property
     def gone(self) -> bool:
@@ -162,30 +151,6 @@ class Scenes:
             for other in self._by_context.values():
                 if other is not scene:
                     other.fixed.lists.book.redefined_elsewhere(name)
-
-
-def _mark() -> int:
-    """An object of a kind that contexts do not share, under a name that no app comes to: a vertex
-    array, or where there are none a framebuffer."""
-    arrays = has_vertex_arrays()
-    names = (ctypes.c_uint * _MARKER)()
-    if arrays:
-        bound = integer(GL_VERTEX_ARRAY_BINDING)
-        gl.glGenVertexArrays(_MARKER, names)
-        gl.glDeleteVertexArrays(_MARKER - 1, names)
-        gl.glBindVertexArray(names[_MARKER - 1])
-        gl.glBindVertexArray(bound)
-    else:
-        bounds = (
-            (GL_DRAW_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING)),
-            (GL_READ_FRAMEBUFFER, integer(GL_READ_FRAMEBUFFER_BINDING)),
-        )
-        gl.glGenFramebuffers(_MARKER, names)
-        gl.glDeleteFramebuffers(_MARKER - 1, names)
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, names[_MARKER - 1])
-        for target, name in bounds:
-            gl.glBindFramebuffer(target, name)
-    return int(names[_MARKER - 1])
 
 
 def say_unstyled(why: str) -> None:

@@ -1,6 +1,9 @@
-"""The client's arrays, for draws of our own from the client's memory."""
+"""The arrays of the context itself, for draws of our own: vertex array objects have names of the
+driver's choice, so we make none."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 from glshim.spec.ask import integer
 from glshim.spec.constants import (
@@ -47,3 +50,10 @@ def put_the_apps_arrays_away() -> None:
     if number >= (2, 0):
         for location in range(integer(GL_MAX_VERTEX_ATTRIBS)):
             gl.glDisableVertexAttribArray(location)
+
+
+def put_away(locations: Iterable[int]) -> None:
+    """Generic attributes that a draw of ours used, in OpenGL 3.3."""
+    for location in locations:
+        gl.glDisableVertexAttribArray(location)
+        gl.glVertexAttribDivisor(location, 0)

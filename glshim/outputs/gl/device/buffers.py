@@ -13,7 +13,7 @@ from glshim.spec.driver import gl
 
 
 class Buffer:
-    """Use it inside the guard; indices with their vertex array bound."""
+    """Use it inside the guard, with no vertex array object bound."""
 
     def __init__(
         self, device: ModernDevice, target: int = GL_ARRAY_BUFFER, *, dynamic: bool = False

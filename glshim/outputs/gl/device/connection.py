@@ -16,6 +16,7 @@ import moderngl
 from glshim.spec.ask import text
 from glshim.spec.constants import GL_RENDERER, GL_VENDOR, GL_VERSION
 from glshim.spec.driver import address, gl, prototype
+from glshim.spec.objects import function_for_ours
 from glshim.spec.signatures import deletes
 
 
@@ -25,7 +26,7 @@ class Connection:
     def __init__(self) -> None:
         self._forgetting = 0
         """The thread in which what moderngl deletes is gone already."""
-        self._deletions: list[Any] = []
+        self._functions: list[Any] = []
         """Held for moderngl, which calls them."""
         store = getattr(moderngl, "_store", None)
         shared = getattr(store, "default_context", None)
@@ -49,18 +50,19 @@ class Connection:
 
     def load_opengl_function(self, name: str) -> int:
         """Its address, 0: there is none. Looked up as PyOpenGL does, whatever made the context (by
-        itself moderngl looks for GLX alone once it has seen another)."""
-        place = address(name)
-        if not place or not deletes(name):
+        itself moderngl looks for GLX alone once it has seen another). Names are of our choice."""
+        own, place = function_for_ours(name), address(name)
+        if place and deletes(name):
+            delete = own or getattr(gl, name)
+
+            def own(*arguments: Any) -> None:
+                if self._forgetting != get_ident():
+                    delete(*arguments)
+
+        if not place or own is None:
             return place
-        delete = getattr(gl, name)
-
-        def deletion(*arguments: Any) -> None:
-            if self._forgetting != get_ident():
-                delete(*arguments)
-
-        self._deletions.append(prototype(name)(deletion))
-        return ctypes.cast(self._deletions[-1], ctypes.c_void_p).value or 0
+        self._functions.append(prototype(name)(own))
+        return ctypes.cast(self._functions[-1], ctypes.c_void_p).value or 0
 
     def __enter__(self) -> None: ...
 

@@ -18,6 +18,7 @@ from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
 from glshim.spec.context import MODERN, OLDEST, version
 from glshim.spec.driver import gl
+from glshim.spec.objects import made_program
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""
@@ -76,6 +77,8 @@ class ModernDevice(Device):
             lines = (line.strip("= ") for line in str(error).splitlines())
             raise _not_compiled(name, " ".join(filter(None, lines))) from error
         self._made.add(linked)
+        for shader in _attached(linked.glo):
+            gl.glDetachShader(linked.glo, shader)
         return Program(linked)
 
     def buffer(self, size: int, *, dynamic: bool = False) -> Any:
@@ -112,7 +115,7 @@ class _Bare:
     """A program of the driver's (`glshim.outputs.gl.device.programs.Linked`)."""
 
     def __init__(self) -> None:
-        self.glo = int(gl.glCreateProgram())
+        self.glo = made_program()
 
     def attach(self, kind: int, text: str) -> None:
         """A stage of it."""
@@ -129,7 +132,10 @@ class _Bare:
         linked = ctypes.c_int()
         gl.glLinkProgram(self.glo)
         gl.glGetProgramiv(self.glo, GL_LINK_STATUS, ctypes.byref(linked))
-        return None if linked.value else self._words()
+        words = None if linked.value else self._words()
+        for shader in _attached(self.glo):
+            gl.glDetachShader(self.glo, shader)
+        return words
 
     def release(self) -> None:
         """Delete it. In its context."""
@@ -138,14 +144,19 @@ class _Bare:
     def _words(self) -> str:
         """What the driver says about it and its shaders."""
         text = ctypes.create_string_buffer(_INFO_BYTES)
-        count, shaders = ctypes.c_int(), (ctypes.c_uint * 8)()
         gl.glGetProgramInfoLog(self.glo, len(text), None, text)
         said = [text.value]
-        gl.glGetAttachedShaders(self.glo, len(shaders), ctypes.byref(count), shaders)
-        for shader in shaders[: count.value]:
+        for shader in _attached(self.glo):
             gl.glGetShaderInfoLog(shader, len(text), None, text)
             said.append(text.value)
         return b" ".join(said).decode("utf-8", "replace").strip()
+
+
+def _attached(program: int) -> list[int]:
+    """The shaders of a program, which have names as long as they are."""
+    count, shaders = ctypes.c_int(), (ctypes.c_uint * 8)()
+    gl.glGetAttachedShaders(program, len(shaders), ctypes.byref(count), shaders)
+    return shaders[: count.value]
 
 
 def _not_compiled(name: str, words: str) -> RenderError:

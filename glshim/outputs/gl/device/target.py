@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from glshim.errors import RenderError
-from glshim.outputs.gl.device.names import delete, made
 from glshim.spec.constants import (
     GL_COLOR_ATTACHMENT0,
     GL_DEPTH24_STENCIL8,
@@ -43,6 +42,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT_24_8,
 )
 from glshim.spec.driver import gl
+from glshim.spec.objects import FRAMEBUFFER, RENDERBUFFER, TEXTURE, delete, made
 
 _COLOURS = {
     GL_RGB8: (GL_RGBA, GL_UNSIGNED_BYTE),
@@ -97,9 +97,9 @@ class RenderTarget:
         if width <= self.size[0] and height <= self.size[1]:
             return
         if not self.name:
-            self.name = made("glGenFramebuffers")
-            self.texture = made("glGenTextures") if self._format else 0
-            self._renderbuffers = [made("glGenRenderbuffers") for _ in self._buffers]
+            self.name = made(FRAMEBUFFER)
+            self.texture = made(TEXTURE) if self._format else 0
+            self._renderbuffers = [made(RENDERBUFFER) for _ in self._buffers]
         size = max(width, self.size[0]), max(height, self.size[1])
         self.bind()
         if self._format:
@@ -125,9 +125,9 @@ class RenderTarget:
     def release(self) -> None:
         """Delete all of it. In its context."""
         if self.name:
-            delete("glDeleteFramebuffers", (self.name,))
-            delete("glDeleteTextures", (self.texture,))
-            delete("glDeleteRenderbuffers", self._renderbuffers)
+            delete(FRAMEBUFFER, (self.name,))
+            delete(TEXTURE, (self.texture,))
+            delete(RENDERBUFFER, self._renderbuffers)
         self.name = self.texture = 0
         self._renderbuffers = []
         self.size = (0, 0)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from glshim.outputs.gl.device.names import delete, made
 from glshim.spec.constants import (
     GL_CLAMP_TO_EDGE,
     GL_LINEAR,
@@ -26,6 +25,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_BYTE,
 )
 from glshim.spec.driver import gl
+from glshim.spec.objects import TEXTURE, delete, made
 from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13
@@ -58,11 +58,11 @@ class Textures:
         gl.glBindTexture(GL_TEXTURE_2D, name)
 
     def _forget(self) -> None:
-        delete("glDeleteTextures", self._names.values())
+        delete(TEXTURE, self._names.values())
         self._names.clear()
 
     def _upload(self, image: Image) -> int:
-        name = made("glGenTextures")
+        name = made(TEXTURE)
         gl.glBindTexture(GL_TEXTURE_2D, name)
         gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
         for setting in _UNPACKING:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.outputs.gl.device.names import made
 from glshim.spec.constants import (
     GL_FLOAT,
     GL_INT,
@@ -28,6 +27,7 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_ROWS,
 )
 from glshim.spec.driver import gl
+from glshim.spec.objects import TEXTURE, made
 
 WIDTH = 2048
 """Texels in a row of a texture that has more than one."""
@@ -56,7 +56,7 @@ def upload(rows: NDArray[np.generic]) -> int:
     if len(rows) < width * height:
         padded = np.zeros((height * width, 4), rows.dtype)
         padded[: len(rows)] = rows
-    name = made("glGenTextures")
+    name = made(TEXTURE)
     gl.glActiveTexture(GL_TEXTURE0 + _ANY_UNIT)
     gl.glBindTexture(GL_TEXTURE_2D, name)
     gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)

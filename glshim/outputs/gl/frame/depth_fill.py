@@ -20,7 +20,6 @@ from glshim.spec.constants import (
     GL_SCISSOR_TEST,
     GL_TRIANGLES,
 )
-from glshim.spec.context import has_vertex_arrays
 from glshim.spec.driver import gl
 
 _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
@@ -45,8 +44,6 @@ class DepthFill:
         gl.glDepthFunc(GL_GEQUAL if reversed_depth else GL_LEQUAL)
         gl.glEnable(GL_SCISSOR_TEST)
         self._program.use()
-        if has_vertex_arrays():
-            gl.glBindVertexArray(0)
         gl.glBindBuffer(GL_ARRAY_BUFFER, 0)
         gl.glEnableVertexAttribArray(self._vertex)
         for batch, camera in items:

@@ -23,7 +23,6 @@ from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.device.buffers import Buffer, Ring
 from glshim.outputs.gl.device.devices import ModernDevice
-from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.device.triangles import triangles
@@ -169,7 +168,6 @@ class Crossings:
             for kind in (GL_RGBA32UI, GL_RG32UI)
         )
         """Of both passes."""
-        self._array = made("glGenVertexArrays")
 
     def tick(self) -> None:
         """A layer has passed."""
@@ -254,7 +252,6 @@ class Crossings:
         gl.glDepthMask(1)
         gl.glDepthFunc(GL_GREATER if frame.reversed_depth else GL_LESS)
         gl.glClearDepth(0.0 if frame.reversed_depth else 1.0)
-        gl.glBindVertexArray(self._array)
         gl.glEnableVertexAttribArray(0)
         planes = camera.clip_planes[:MOST_CLIP_PLANES]
         for plane in range(len(planes)):
@@ -280,6 +277,7 @@ class Crossings:
                 chunk.buffer.bind()
                 gl.glVertexAttribPointer(0, 3, GL_FLOAT, 0, 12, chunk.offset)
                 gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(chunk.corners))
+        gl.glDisableVertexAttribArray(0)
         noted = np.empty((box[2] * box[3], 2), np.uint32)
         gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
         for name, value in _PACKING:

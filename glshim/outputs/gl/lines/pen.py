@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
+from glshim.outputs.gl.device.arrays import put_away
 from glshim.outputs.gl.device.buffers import Ring
 from glshim.outputs.gl.device.devices import ModernDevice
-from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
 from glshim.outputs.gl.frame.frame import Frame
@@ -37,11 +37,6 @@ class Pen:
         self._device = device
         self._programs: dict[tuple[Shader, int], Program] = {}
         self._ring = Ring(device, ring_bytes)
-        self._array = made("glGenVertexArrays")
-        gl.glBindVertexArray(self._array)
-        for location in range(len(INPUTS)):
-            gl.glEnableVertexAttribArray(location)
-            gl.glVertexAttribDivisor(location, 1)
 
     def draw(
         self,
@@ -58,12 +53,14 @@ class Pen:
             return
         self._program(shader, camera).use(inputs, uniforms)
         gl.glViewport(*camera.viewport)
-        gl.glBindVertexArray(self._array)
         start = self._ring.put(records)
         for location, size in enumerate(INPUTS.values()):
+            gl.glEnableVertexAttribArray(location)
+            gl.glVertexAttribDivisor(location, 1)
             gl.glVertexAttribPointer(location, size, GL_FLOAT, 0, RECORD * 4, start)
             start += size * 4
         self._issue(shader.vertices, len(records))
+        put_away(range(len(INPUTS)))
 
     def _issue(self, vertices: int, lines: int) -> None:
         """The draw itself."""

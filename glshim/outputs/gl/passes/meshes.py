@@ -22,11 +22,11 @@ from glshim.model.batch import PolygonBatch
 from glshim.model.caches import AgingCache
 from glshim.outputs.gl.device.buffers import Buffer
 from glshim.outputs.gl.device.devices import ModernDevice
-from glshim.outputs.gl.device.names import delete
 from glshim.outputs.gl.device.uploads import upload
 from glshim.outputs.gl.passes.sieved import Sieved
 from glshim.spec.constants import GL_ELEMENT_ARRAY_BUFFER, GL_TEXTURE0, GL_TEXTURE_2D
 from glshim.spec.driver import gl
+from glshim.spec.objects import TEXTURE, delete
 from glshim.styling.passes import Element
 
 UNITS = {
@@ -65,7 +65,7 @@ class Resident:
             gl.glBindTexture(GL_TEXTURE_2D, texture)
 
     def bind_indices(self, element: Element) -> None:
-        """Of the triangles, to the vertex array that is bound."""
+        """Of the triangles."""
         found = self._indices.get(element)
         if found is not None:
             found.bind()
@@ -76,7 +76,7 @@ class Resident:
 
     def free(self) -> None:
         """Delete the textures and buffers."""
-        delete("glDeleteTextures", self.textures.values())
+        delete(TEXTURE, self.textures.values())
         for found in self._indices.values():
             found.release()
         self.sieved.free()
@@ -97,7 +97,7 @@ class Rest:
 
     def free(self) -> None:
         """Delete the texture."""
-        delete("glDeleteTextures", (self.texture,))
+        delete(TEXTURE, (self.texture,))
 
 
 class Residents:
@@ -234,7 +234,7 @@ class Posed:
 
     def release(self) -> None:
         """Delete them."""
-        delete("glDeleteTextures", self._textures.values())
+        delete(TEXTURE, self._textures.values())
 
 
 def _four(rows: NDArray[np.floating]) -> NDArray[np.float32]:

@@ -15,9 +15,9 @@ from glshim.geometry.meshshaders.poses import Keyframes, Pose
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.notices import say_once
+from glshim.outputs.gl.device.arrays import put_away
 from glshim.outputs.gl.device.buffers import Buffer
 from glshim.outputs.gl.device.devices import ModernDevice
-from glshim.outputs.gl.device.names import made
 from glshim.outputs.gl.device.textures import Textures
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of, scissor, stencil, turned
 from glshim.outputs.gl.frame.colour import UNIT as COLOUR_UNIT
@@ -64,13 +64,9 @@ class Runner:
         self._colour = ColourCopy()
         self._gbuffer: GBuffer | None = None
         self._programs = MeshPrograms(device)
-        self._array = made("glGenVertexArrays")
-        gl.glBindVertexArray(self._array)
         # Compatibility contexts draw nothing without an array 0: one value for all vertices.
-        Buffer(device).fill(np.zeros(4, np.float32))
-        gl.glEnableVertexAttribArray(0)
-        gl.glVertexAttribPointer(0, 4, GL_FLOAT, 0, 0, None)
-        gl.glVertexAttribDivisor(0, 1 << 30)
+        self._nowhere = Buffer(device)
+        self._nowhere.fill(np.zeros(4, np.float32))
 
     def run(
         self,
@@ -87,6 +83,7 @@ class Runner:
         self._stage.open(box, deep=deep)
         if any("app_colour" in (one.shader.needs or ()) for one in passes):
             self._colour.take(frame.framebuffer, box)
+        self._open_array()
         before = False
         views: dict[Hashable, dict[str, Any] | None] = {}
         for one in passes:
@@ -109,11 +106,19 @@ class Runner:
                     continue
                 self._draw(one, replace(body, camera=camera), inputs, box)
             self.residents.release()
+        put_away((0,))
         if before:
             self._stage.reopen()
         set_state(State(depth="always", blend="off"), reversed_depth)
         stencil(last)
         self._stage.put_over(frame.framebuffer, box)
+
+    def _open_array(self) -> None:
+        """Vertices have a place from now on, all the same one."""
+        self._nowhere.bind()
+        gl.glEnableVertexAttribArray(0)
+        gl.glVertexAttribPointer(0, 4, GL_FLOAT, 0, 0, None)
+        gl.glVertexAttribDivisor(0, 1 << 30)
 
     def _turn_to_buffer(self, frame: Frame) -> None:
         """Draw into the G-buffer, empty, from now on; it can be read after that."""
@@ -123,7 +128,6 @@ class Runner:
         self._gbuffer.bind_texture()
 
     def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
-        gl.glBindVertexArray(self._array)
         ready = self._ready(one, body, inputs)
         if ready is None:
             return

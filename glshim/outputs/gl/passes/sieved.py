@@ -17,7 +17,6 @@ from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.outputs.gl.device.buffers import Buffer
 from glshim.outputs.gl.device.devices import ModernDevice
-from glshim.outputs.gl.device.names import delete
 from glshim.outputs.gl.device.uploads import upload
 from glshim.spec.constants import (
     GL_ELEMENT_ARRAY_BUFFER,
@@ -25,6 +24,7 @@ from glshim.spec.constants import (
     GL_TEXTURE_2D,
 )
 from glshim.spec.driver import gl
+from glshim.spec.objects import TEXTURE, delete
 from glshim.styling.passes import Element, Sieve
 
 UNIT = 12
@@ -48,7 +48,7 @@ class _Remaining:
     def free(self) -> None:
         """Delete what it holds."""
         if self.texture:
-            delete("glDeleteTextures", (self.texture,))
+            delete(TEXTURE, (self.texture,))
         if self.indices is not None:
             self.indices.release()
 
@@ -95,13 +95,13 @@ class Sieved:
         return np.asarray(self.adjacency.ravel().take(places))
 
     def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
-        """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any
-        to the vertex array; how many those are."""
+        """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any;
+        how many those are."""
         left = self._left.setdefault((sieve.wanted, sieve.angles, element), _Remaining())
         if left.eye != eye.tobytes():
             rows = self._remaining(eye, sieve, element)
             if left.texture:
-                delete("glDeleteTextures", (left.texture,))
+                delete(TEXTURE, (left.texture,))
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
             left.eye, left.texture, left.count = eye.tobytes(), upload(texels), len(rows)

@@ -1,0 +1,349 @@
+"""Objects of ours, under names that no program comes to.
+
+A program shares the names of objects with us, in all contexts that share. What it is given by
+glGen* and glCreate*, what glIs* says, and objects that it names by itself are as they are without
+us: ours have names of our own choice, far from any that it is given or thinks of. How drivers give
+names is in `docs/decisions/0009-names-of-objects.md`.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from itertools import count
+from typing import Any
+
+from glshim.spec.ask import integer, text
+from glshim.spec.constants import (
+    GL_ARRAY_BUFFER,
+    GL_ARRAY_BUFFER_BINDING,
+    GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
+    GL_EXTENSIONS,
+    GL_FRAGMENT_SHADER,
+    GL_RENDERBUFFER,
+    GL_RENDERBUFFER_BINDING,
+    GL_TEXTURE_2D,
+    GL_TEXTURE_BINDING_2D,
+)
+from glshim.spec.context import has_fixed_function
+from glshim.spec.driver import current_context, gl
+
+_FAR = 0x5B400000
+"""Where our names begin with a driver that counts upwards: memory is the same for any name."""
+_OFF = 0x3D0900
+"""Where they begin with others, which may keep a bit for each lesser name."""
+_ROOM = 1 << 24
+"""Names from there on that are ours, or those of C code that was given names after us."""
+_END = 0xFFFF0000
+"""From here on drivers do not count upwards any more."""
+_STOCK = 16
+_STEP = 4096
+"""Names between the program's and ours where a driver lets nobody choose."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Kind:
+    """Of objects that are named alike."""
+
+    plural: str
+    """As glGen* and glDelete* have it."""
+    singular: str
+    """As glIs* has it."""
+    bind: str
+    """What makes an object of any name, in a compatibility profile."""
+    target: int
+    binding: int
+    extension: str = ""
+    """Of what makes it, where that is one."""
+
+    def generate(self, number: int) -> list[int]:
+        """Some names of the driver's choice."""
+        names = (ctypes.c_uint * number)()
+        getattr(gl, f"glGen{self.plural}")(number, ctypes.addressof(names))
+        return list(names)
+
+    def delete(self, names: Iterable[int]) -> None:
+        """As the driver does it."""
+        listed = list(names)
+        values = (ctypes.c_uint * len(listed))(*listed)
+        getattr(gl, f"glDelete{self.plural}")(len(listed), ctypes.addressof(values))
+
+    def is_there(self, name: int) -> bool:
+        """Whether an object has that name."""
+        return bool(getattr(gl, f"glIs{self.singular}")(name))
+
+    def create(self, name: int, target: int = 0, binding: int = 0) -> None:
+        """An empty object of a name, of its own target or another one with its binding; what was
+        bound is bound again."""
+        before = integer(binding or self.binding)
+        bind = getattr(gl, self.bind)
+        bind(target or self.target, name)
+        bind(target or self.target, before)
+
+    @property
+    def is_free(self) -> bool:
+        """Whether names may be chosen in the current context."""
+        if not has_fixed_function():
+            return False
+        return not self.extension or self.extension in text(GL_EXTENSIONS).split()
+
+
+_FRAMEBUFFERS = "GL_EXT_framebuffer_object"
+TEXTURE = Kind("Textures", "Texture", "glBindTexture", GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D)
+BUFFER = Kind("Buffers", "Buffer", "glBindBuffer", GL_ARRAY_BUFFER, GL_ARRAY_BUFFER_BINDING)
+FRAMEBUFFER = Kind(
+    "Framebuffers", "Framebuffer", "glBindFramebufferEXT", GL_DRAW_FRAMEBUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING, _FRAMEBUFFERS,
+)  # fmt: skip
+RENDERBUFFER = Kind(
+    "Renderbuffers", "Renderbuffer", "glBindRenderbufferEXT", GL_RENDERBUFFER,
+    GL_RENDERBUFFER_BINDING, _FRAMEBUFFERS,
+)  # fmt: skip
+
+
+class _Programs(Kind):
+    """Programs and shaders, which share names: the driver's choice in every profile."""
+
+    def generate(self, number: int) -> list[int]:
+        return [int(gl.glCreateProgram()) for _ in range(number)]
+
+    def delete(self, names: Iterable[int]) -> None:
+        for name in names:
+            gl.glDeleteProgram(name)
+
+    def is_there(self, name: int) -> bool:
+        return bool(gl.glIsProgram(name) or gl.glIsShader(name))
+
+
+PROGRAM = _Programs("Programs", "Program", "", 0, 0)
+_NOBODY = 0xFFFFFFFF
+"""A name that no program or shader has."""
+
+
+@dataclass(slots=True, eq=False)
+class Space:
+    """The names of contexts that share."""
+
+    flag: int = 0
+    """A buffer of ours by which its contexts are known."""
+    contexts: set[int] = field(default_factory=set)
+    """By handle."""
+    last: dict[Kind, int] = field(default_factory=dict)
+    """Of kinds whose names the driver counts upwards, never to give one again: the greatest that
+    the program has had so far. The driver goes on from ours."""
+    tried: set[Kind] = field(default_factory=set)
+    stock: list[int] = field(default_factory=list)
+    """Programs of ours that are empty yet, with a driver that gives the least free name."""
+    programs: Programs | None = None
+    """With one that counts upwards."""
+
+    def given(self, kind: Kind, number: int) -> list[int]:
+        """The names that the program would be given without us."""
+        names: list[int] = []
+        following = self.last[kind] + 1
+        while len(names) < number:
+            name = following
+            following += 1
+            if kind.is_there(name):  # of the program's, made where we do not hear it
+                names.clear()
+            else:
+                names.append(name)
+        self._reach(kind, names[-1])
+        return names
+
+    def met(self, kind: Kind, name: int) -> None:
+        """The program may have made an object of a name of its choice."""
+        ours = _FAR <= name < _FAR + _ROOM
+        if not ours and self.last[kind] < name < _END and kind.is_there(name):
+            self._reach(kind, name)
+
+    def _reach(self, kind: Kind, name: int) -> None:
+        self.last[kind] = name
+        floors[kind] = min(each.last[kind] for each in [self, *_spaces] if kind in each.last)
+
+
+class Programs:
+    """The program's names of programs and shaders, where the driver counts upwards and has given
+    ours some in between: the two differ from then on."""
+
+    def __init__(self, space: Space) -> None:
+        self._space = space
+        self._first = space.last[PROGRAM]
+        self.ours: set[int] = set()
+        self._drivers: dict[int, int] = {}
+        """By the program's name."""
+        self._own: dict[int, int] = {}
+        """By the driver's."""
+        self._most = 1024
+
+    def entered(self, name: int) -> int:
+        """What the program calls that which the driver has just made."""
+        own = self._space.last[PROGRAM] + 1
+        while self._is_foreign(own):
+            own += 1
+        self._space._reach(PROGRAM, own)
+        if len(self._drivers) >= self._most:
+            self._tidy()
+        self._drivers[own], self._own[name] = name, own
+        return own
+
+    def drivers(self, own: int) -> int:
+        """What the driver calls that which the program has a name for."""
+        if own <= self._first:
+            return own
+        found = self._drivers.get(own)
+        if found is None:
+            found = own if self._is_foreign(own) else _NOBODY
+        return found
+
+    def own(self, name: int) -> int:
+        """What the program calls that which the driver has a name for."""
+        return self._own.get(name, name)
+
+    def _is_foreign(self, name: int) -> bool:
+        """Whether C code has made what has that name, unheard."""
+        return name not in self.ours and name not in self._own and PROGRAM.is_there(name)
+
+    def _tidy(self) -> None:
+        """Forget what is deleted: its names do not come again."""
+        for own, name in [*self._drivers.items()]:
+            if not PROGRAM.is_there(name):
+                del self._drivers[own], self._own[name]
+        self._most = 2 * len(self._drivers) + 1024
+
+
+_spaces: list[Space] = []
+heard: list[Callable[[Kind], None]] = []
+"""Called with a kind whose names the program has to be given by us from now on."""
+floors: dict[Kind, int] = {}
+"""By kind the least of `Space.last`: what is met up to there is no news."""
+_far, _off = count(_FAR), count(_OFF)
+_spare: dict[tuple[Kind, bool], list[int]] = {}
+"""Of ours, names of objects that have been deleted."""
+
+
+def made(kind: Kind) -> int:
+    """The name of a new object, which exists and is empty. Outside primitives and lists."""
+    if not kind.is_free:
+        return _reserved(kind)
+    counts = kind in _space(kind).last
+    spare = _spare.setdefault((kind, counts), [])
+    while True:
+        name = spare.pop() if spare else next(_far if counts else _off)
+        if not kind.is_there(name):
+            break
+    kind.create(name)
+    return name if kind.is_there(name) else _reserved(kind)
+
+
+def delete(kind: Kind, names: Iterable[int]) -> None:
+    """Delete objects that were `made`."""
+    listed = [name for name in names if name]
+    kind.delete(listed)
+    for name in listed:
+        if name >= _OFF:
+            _spare.setdefault((kind, name >= _FAR), []).append(name)
+
+
+def is_late(name: int) -> bool:
+    """Whether a driver that counts upwards has given a name after one of ours."""
+    return name > _FAR
+
+
+def made_program() -> int:
+    """The name of a new program. Its shaders are to be detached when it is linked: they may have
+    any names until then."""
+    here = _space(PROGRAM)
+    if here.programs is not None:
+        name = int(gl.glCreateProgram())
+        here.programs.ours.add(name)
+        return name
+    if not here.stock:
+        between = [gl.glCreateShader(GL_FRAGMENT_SHADER) for _ in range(_STEP)]
+        here.stock = PROGRAM.generate(_STOCK)
+        for shader in between:
+            gl.glDeleteShader(shader)
+    return here.stock.pop()
+
+
+def space() -> Space | None:
+    """The names of the current context, if any of ours are among them."""
+    handle = current_context()
+    for each in _spaces:
+        if handle in each.contexts:
+            if BUFFER.is_there(each.flag):
+                return each
+            each.contexts.discard(handle)  # another context has the address of that one
+            if not each.contexts:
+                _spaces.remove(each)
+            break
+    for each in _spaces:
+        if BUFFER.is_there(each.flag):
+            each.contexts.add(handle)
+            return each
+    return None
+
+
+def _space(kind: Kind) -> Space:
+    """The names of the current context, of which it is known how its driver gives those of a
+    kind."""
+    found = space()
+    if found is None:
+        found = Space(contexts={current_context()})
+        _look(found, BUFFER)
+        _spaces.append(found)
+        found.flag = next(_far if BUFFER in found.last else _off)
+        BUFFER.create(found.flag)
+    if kind not in found.tried:
+        _look(found, kind)
+    return found
+
+
+def _look(space: Space, kind: Kind) -> None:
+    """See how the driver gives names. This changes none that it will give if it gives the least
+    that is free; if it counts upwards, they are given by us from now on."""
+    names = []
+    for _ in range(2):
+        names += kind.generate(1)
+        kind.delete(names[-1:])
+    space.tried.add(kind)
+    if names[1] == names[0] + 1:
+        space._reach(kind, names[0] - 1)
+        if kind is PROGRAM:
+            space.programs = Programs(space)
+        for hear in heard:
+            hear(kind)
+
+
+def _reserved(kind: Kind) -> int:
+    """A name of the driver's choice, beyond many that the program may be given."""
+    *others, name = kind.generate(_STEP)
+    kind.delete(others)
+    return name
+
+
+# -- for a library that makes objects for us ------------------------------------------------------
+
+
+def _make_buffers(number: int, address: int) -> None:
+    names = (ctypes.c_uint * number).from_address(address)
+    for k in range(number):
+        names[k] = made(BUFFER)
+
+
+def _delete_buffers(number: int, address: int) -> None:
+    delete(BUFFER, (ctypes.c_uint * number).from_address(address))
+
+
+_OWN: dict[str, Callable[..., Any]] = {
+    "glGenBuffers": _make_buffers, "glDeleteBuffers": _delete_buffers,
+    "glCreateProgram": made_program,
+}  # fmt: skip
+
+
+def function_for_ours(name: str) -> Callable[..., Any] | None:
+    """What a library that makes objects for us is to call in place of a driver's function that
+    gives names or takes them back; None for all others."""
+    return _OWN.get(name)

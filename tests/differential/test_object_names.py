@@ -1,0 +1,76 @@
+"""Objects of a program and ours: what it names itself stays its own, and it is given the names that
+it would be given without us."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import glfw
+import numpy as np
+import pytest
+from OpenGL import GL
+
+from glshim.styling import registry
+from tests.sweep import some
+
+from .test_contexts import cube
+from .world import App, prepare, styled, window
+
+STYLES = ("none", *registry.names(), *registry.looks())
+NAMED = range(1, 9)
+
+
+def frame(handle: Any) -> None:
+    GL.glBindTexture(GL.GL_TEXTURE_2D, 0)
+    GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+    GL.glPushMatrix()
+    cube()
+    GL.glPopMatrix()
+    glfw.swap_buffers(handle)
+
+
+def seen_with_own_names(style: str | None) -> list[str]:
+    """Textures, buffers and others under names that were never generated, used after a frame."""
+    app = App()
+    with styled(style), window() as handle:
+        prepare()
+        frame(handle)
+        red = np.full((16, 16, 3), (255, 0, 0), np.uint8)
+        for name in NAMED:
+            GL.glBindTexture(GL.GL_TEXTURE_2D, name)
+            GL.glTexImage2D(
+                GL.GL_TEXTURE_2D, 0, GL.GL_RGB, 16, 16, 0, GL.GL_RGB, GL.GL_UNSIGNED_BYTE, red
+            )
+            GL.glBindBuffer(GL.GL_ARRAY_BUFFER, name)
+            GL.glBufferData(GL.GL_ARRAY_BUFFER, 16, red[0], GL.GL_STATIC_DRAW)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
+        for _ in range(3):
+            frame(handle)
+        for name in NAMED:
+            GL.glBindTexture(GL.GL_TEXTURE_2D, name)
+            pixels = GL.glGetTexImage(GL.GL_TEXTURE_2D, 0, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+            app.saw.append(str(pixels == red.tobytes()))
+            GL.glBindBuffer(GL.GL_ARRAY_BUFFER, name)
+            data = (ctypes.c_ubyte * 16)()
+            GL.glGetBufferSubData(GL.GL_ARRAY_BUFFER, 0, 16, data)
+            app.saw.append(str(bytes(data) == red.tobytes()[:16]))
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
+        for is_there in (GL.glIsTexture, GL.glIsBuffer, GL.glIsFramebuffer, GL.glIsRenderbuffer,
+                         GL.glIsVertexArray, GL.glIsQuery, GL.glIsSampler):  # fmt: skip
+            app.saw.append(str([int(is_there(name)) for name in range(1, 2000)]))
+        for generate in (GL.glGenTextures, GL.glGenBuffers, GL.glGenFramebuffers,
+                         GL.glGenRenderbuffers, GL.glGenVertexArrays, GL.glGenQueries,
+                         GL.glGenSamplers, GL.glGenLists):  # fmt: skip
+            app.tries(generate, 3)
+        GL.glDeleteTextures(list(range(1, 1000)))
+        GL.glDeleteLists(1, 10000)
+        frame(handle)
+        app.tries(GL.glGenTextures, 1)
+        app.error()
+    return app.saw
+
+
+@pytest.mark.parametrize("style", some(STYLES, 6))
+def test_objects_that_a_program_names_are_its_own(style: str) -> None:
+    assert seen_with_own_names(None) == seen_with_own_names(style)
