@@ -84,9 +84,7 @@ class Kind:
 
     @property
     def is_free(self) -> bool:
-        """Whether names may be chosen in the current context."""
-        if not has_fixed_function():
-            return False
+        """Whether names may be chosen in the current context, of a compatibility profile."""
         return not self.extension or self.extension in text(GL_EXTENSIONS).split()
 
 
@@ -225,7 +223,9 @@ _spare: dict[tuple[Kind, bool], list[int]] = {}
 
 
 def made(kind: Kind) -> int:
-    """The name of a new object, which exists and is empty. Outside primitives and lists."""
+    """The name of a new object, empty. Outside primitives and lists."""
+    if not has_fixed_function():  # nothing of ours stays in a core profile
+        return kind.generate(1)[0]
     if not kind.is_free:
         return _reserved(kind)
     counts = kind in _space(kind).last

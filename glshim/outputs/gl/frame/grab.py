@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from glshim.errors import shown
 from glshim.notices import say
-from glshim.outputs.gl.device.names import delete, made
 from glshim.spec.ask import integer, integers, is_enabled, real
 from glshim.spec.constants import (
     GL_BACK,
@@ -51,6 +50,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_fixed_function, number_of_any_api, version
 from glshim.spec.driver import gl
+from glshim.spec.objects import FRAMEBUFFER, RENDERBUFFER, delete, made
 from glshim.spec.pixels import TextureImage
 from glshim.system.interrupts import Held
 from glshim.system.writing import picture_target, write_picture
@@ -163,9 +163,9 @@ def _read_framebuffer(
 def _resolve(size: Size, undo: ExitStack) -> None:
     """Read from an object of ours with one sample for each pixel of the one that is bound."""
     box = (0, 0, *size)
-    copy, colours = made("glGenFramebuffers"), made("glGenRenderbuffers")
-    undo.callback(delete, "glDeleteFramebuffers", [copy])
-    undo.callback(delete, "glDeleteRenderbuffers", [colours])
+    copy, colours = made(FRAMEBUFFER), made(RENDERBUFFER)
+    undo.callback(delete, FRAMEBUFFER, [copy])
+    undo.callback(delete, RENDERBUFFER, [colours])
     bound = integer(GL_RENDERBUFFER_BINDING)
     _change(undo, gl.glBindRenderbuffer, GL_RENDERBUFFER, colours, back_to=bound)
     gl.glRenderbufferStorage(GL_RENDERBUFFER, GL_RGB8, *size)
