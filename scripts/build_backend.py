@@ -29,7 +29,7 @@ _ROOT = Path(__file__).resolve().parent.parent
 _STARTUP_FILES = ("glshim.pth", "glshim.start")
 _START = "_glshim_start.py"
 _HERE = '''"""Editable install: this is {path}"""
-__file__ = __spec__.origin = {path!r}
+__file__ = {path!r}
 {more}exec(compile(__loader__.get_data(__file__), __file__, "exec"))
 '''
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.ma  # `np.unique` asks for it: loaded with us, not in a frame
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float32]

@@ -14,6 +14,7 @@ from glshim.notices import say, say_fault
 from glshim.running import environment, stillness
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
+from glshim.system.modules import OURS_ALONE
 from glshim.system.reading import has_elevated_rights
 from glshim.toolkits import Part, frames, keyboard
 from glshim.toolkits.frames import Stage
@@ -98,9 +99,10 @@ def _install(style: str, folder: str, *, live: bool) -> None:
             return
         styler = texts.parse_style(NO_STYLE)
     try:
-        from glshim import pipeline
+        with OURS_ALONE:
+            from glshim.pipeline import install
 
-        pipeline.install(styler, live=live)
+        install(styler, live=live)
     except Exception as error:  # the frames asked for still come, and the end
         say_fault("cannot install the style, the program runs unstyled", error)
     else:
@@ -112,9 +114,9 @@ def _switch(styler: Styler) -> None:
     if _controls is not None:
         _controls.renew(styler)
         return
-    from glshim import pipeline
+    from glshim.pipeline import switch
 
-    pipeline.switch(styler)
+    switch(styler)
 
 
 def _watch_keys(settings: LiveSettings, style: str | None, folder: str) -> None:

@@ -7,6 +7,7 @@ Python program that inherits the variables pays next to nothing.
 import os
 
 from glshim.bindings.imports import after_import
+from glshim.system.modules import OURS_ALONE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -33,9 +34,10 @@ def arm() -> None:
     _armed = True
     _folder = os.getcwd()
     if "GLSHIM_STILL" in os.environ:  # before the program has looked at a clock
-        from glshim.running import stillness
+        with OURS_ALONE:
+            from glshim.running.stillness import begin
 
-        stillness.begin()
+        begin()
     for package in _toolkit_files():
         after_import(package, _watch_toolkit)
     after_import(PYOPENGL, _begin)
@@ -49,15 +51,17 @@ def _toolkit_files() -> "list[str]":
 
 
 def _watch_toolkit(module: "ModuleType") -> None:
-    from glshim import toolkits
+    with OURS_ALONE:
+        from glshim.toolkits import Part, watch_package
 
-    parts = [toolkits.Part.FRAMES]
+    parts = [Part.FRAMES]
     if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
-        parts.append(toolkits.Part.KEYS)
-    toolkits.watch_package(module.__name__, *parts)
+        parts.append(Part.KEYS)
+    watch_package(module.__name__, *parts)
 
 
 def _begin(module: "ModuleType") -> None:
-    from glshim.running import session
+    with OURS_ALONE:
+        from glshim.running.session import begin
 
-    session.begin(_folder)
+    begin(_folder)

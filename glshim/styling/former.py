@@ -7,7 +7,6 @@ line says what to write now. Old modules are gone: `advice` says where their nam
 from __future__ import annotations
 
 import re
-import sys
 import traceback
 from collections.abc import Callable
 from functools import wraps
@@ -66,7 +65,8 @@ def advice(error: BaseException) -> str:
     found = _FROM.search(line)
     module = found[1] if found else (_MODULE.findall(line) or [error.name])[0]
     names = re.findall(r"(\w+)(?: as \w+)?", found[2]) if found else _NAME.findall(str(error))
-    public = sys.modules["glshim"].__all__
+    from glshim import __all__ as public
+
     if names and all(name in public for name in names):
         return f": write from glshim import {', '.join(names)}"
     old = max((one for one in MODULES if f"{module}.".startswith(f"{one}.")), key=len, default="")

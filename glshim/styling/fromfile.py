@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
+import linecache
 import os
 import sys
 import traceback
@@ -13,11 +15,10 @@ from glshim.errors import StyleError, nearest
 from glshim.styling.former import advice
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
+from glshim.system.modules import OURS_ALONE, STYLE_FILE
 from glshim.system.reading import has_elevated_rights, read_small
 
 SUFFIX = ".py"
-_MODULE = "glshim_style_file_"
-"""How the modules are called, so that none takes the name of one of the program's."""
 
 
 def is_named_in(text: str) -> bool:
@@ -104,13 +105,14 @@ def _run(path: Path) -> ModuleType:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise StyleError(f"cannot read style file {str(path)!r}: {reason}") from error
-    module = ModuleType(_MODULE + path.stem)
+    module = ModuleType(STYLE_FILE + path.stem)
     module.__file__ = str(path)
     # Dataclasses and pickle look a class's module up here. Compiled anew each time: a cache on the
     # disk takes two saves in one second for the same file.
     sys.modules[module.__name__] = module
     try:
-        exec(compile(source, str(path), "exec"), vars(module))
+        with OURS_ALONE:
+            exec(compile(source, str(path), "exec"), vars(module))
     except SyntaxError as error:
         line = error.lineno if error.filename == str(path) else None
         raise StyleError(f"{path}:{line or 1}: {error.msg}") from error
@@ -138,9 +140,6 @@ def _told(path: Path, error: BaseException, what: str = "") -> str:
 
 def _place(path: Path, module: ModuleType, found: object) -> str:
     """The file, and the line where a class of its own begins."""
-    import inspect
-    import linecache
-
     linecache.checkcache(str(path))
     try:
         if isinstance(found, type) and found.__module__ == module.__name__:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.errors import StyleError, shown
+from glshim.system.modules import OURS_ALONE
 from glshim.system.reading import require_regular
 
 _MOST = 4096
@@ -45,21 +46,27 @@ def read_image(path: str) -> Image:
 
 @lru_cache(maxsize=16)
 def _read(path: str, _changed: int, _size: int) -> Image:
-    from PIL import Image as Pillow
-
     try:
-        with Pillow.open(path, formats=_FORMATS) as picture:
-            if picture.width * picture.height > _MOST_PIXELS:
-                raise ValueError(f"it has more than {_MOST_PIXELS >> 20} million pixels")
-            shrink = max(1.0, max(picture.size) / _MOST)
-            whole = picture.convert("RGBA")
-            if shrink > 1.0:
-                size = (max(int(side / shrink), 1) for side in picture.size)
-                whole = whole.resize((next(size), next(size)))
-            return Image(stroke_pixels(np.asarray(whole)))
+        with OURS_ALONE:  # Pillow loads its modules for files now
+            return Image(stroke_pixels(_rgba(path)))
     except Exception as error:  # Pillow's decoders raise nearly anything
         reason = "no picture that Pillow knows" if _unknown(error) else " ".join(str(error).split())
         raise StyleError(f"cannot read {path!r} as a picture: {reason}") from error
+
+
+def _rgba(path: str) -> NDArray[np.uint8]:
+    """Pixels (H, W, 4), of a large picture fewer than it has."""
+    from PIL import Image as Pillow
+
+    with Pillow.open(path, formats=_FORMATS) as picture:
+        if picture.width * picture.height > _MOST_PIXELS:
+            raise ValueError(f"it has more than {_MOST_PIXELS >> 20} million pixels")
+        shrink = max(1.0, max(picture.size) / _MOST)
+        whole = picture.convert("RGBA")
+        if shrink > 1.0:
+            size = (max(int(side / shrink), 1) for side in picture.size)
+            whole = whole.resize((next(size), next(size)))
+        return np.asarray(whole)
 
 
 def _unknown(error: Exception) -> bool:

@@ -20,6 +20,7 @@ from glshim.errors import StyleError, unknown
 from glshim.notices import say_once
 from glshim.styling.former import advice
 from glshim.styling.protocol import Styler
+from glshim.system.modules import OURS_ALONE
 
 STYLERS, LOOKS = "glshim.stylers", "glshim.looks"
 FILE = ".toml"
@@ -28,7 +29,8 @@ FILE = ".toml"
 
 @cache
 def _found() -> dict[str, EntryPoint]:
-    return {point.name: point for point in entry_points(group=STYLERS)}
+    with OURS_ALONE:
+        return {point.name: point for point in entry_points(group=STYLERS)}
 
 
 def names() -> tuple[str, ...]:
@@ -44,7 +46,9 @@ def looks() -> Mapping[str, Path]:
     counts. A package that cannot be found has no looks, which is said once.
     """
     found: dict[str, Path] = {}
-    for point in entry_points(group=LOOKS):
+    with OURS_ALONE:
+        points = entry_points(group=LOOKS)
+    for point in points:
         try:
             for folder in _folders(point.value):
                 for path in folder.glob("*" + FILE):
@@ -56,7 +60,8 @@ def looks() -> Mapping[str, Path]:
 
 def _folders(package: str) -> list[Path]:
     """Where a package lies, which is not imported (what it lies in is). Raises ImportError."""
-    spec = find_spec(package)
+    with OURS_ALONE:
+        spec = find_spec(package)
     if spec is None or spec.submodule_search_locations is None:
         raise ImportError(f"there is no package {package}")
     return [*map(Path, spec.submodule_search_locations)]
@@ -78,7 +83,8 @@ def load(name: str) -> type[Styler]:
     if point is None:
         raise unknown(f"no style is called {name!r}", name, (*names(), *looks()))
     try:
-        found = point.load()
+        with OURS_ALONE:
+            found = point.load()
     except Exception as error:
         told = f"{error}{advice(error)}"
         raise StyleError(f"style {name!r} ({point.value}) cannot be loaded: {told}") from error

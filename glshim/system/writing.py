@@ -13,6 +13,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO
 
+from glshim.system.modules import OURS_ALONE
 from glshim.system.reading import open_regular
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ def write_picture(path: Path, picture: Image, *, optimize: bool = False) -> None
     """Write a PNG, in place of a picture of before (see `picture_target`); the folder has the old
     file or the whole new one. Raises OSError."""
     target = picture_target(path)
-    _replace(target, lambda file: picture.save(file, "PNG", optimize=optimize))
+    _replace(target, _png(picture, optimize=optimize))
 
 
 def write_html(path: Path, text: str) -> None:
@@ -65,11 +66,19 @@ def add_picture(path: Path, picture: Image) -> None:
     where it cannot be written."""
     path.open("xb").close()  # the name is ours from here on; a link is not followed
     try:
-        _replace(path, lambda file: picture.save(file, "PNG"))
+        _replace(path, _png(picture))
     except BaseException:
         with suppress(OSError):
             path.unlink()
         raise
+
+
+def _png(picture: Image, *, optimize: bool = False) -> Callable[[BinaryIO], None]:
+    def write(file: BinaryIO) -> None:
+        with OURS_ALONE:  # Pillow loads its modules for files now
+            picture.save(file, "PNG", optimize=optimize)
+
+    return write
 
 
 def _replace(target: Path, write: Callable[[BinaryIO], object]) -> None:

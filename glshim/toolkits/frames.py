@@ -23,6 +23,7 @@ from typing import Any, NoReturn, TypeVar
 from glshim.notices import say_fault
 from glshim.spec.driver import current_context
 from glshim.spec.pixels import TextureImage
+from glshim.system import modules
 from glshim.system.interrupts import Held
 
 Result = TypeVar("Result")
@@ -179,6 +180,13 @@ def _ending(on: Drawable) -> Iterator[None]:
                 _call(listener.before)
         yield
         _over(on)
+        with Held():
+            _presented += 1
+            for listener in _listeners:
+                _call(listener.after)
+            modules.hide()
+        if _leaving:
+            _leave(on)
     finally:
         _showing.discard(thread)
         _drawable = outer

@@ -7,6 +7,8 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
+from PIL import Image as Pillow
+from PIL import ImageDraw, ImageFont
 
 from glshim.styling.glsl import glsl
 from glshim.styling.lines import Shader
@@ -32,9 +34,6 @@ _SHADER = Shader(
 @cache
 def characters() -> Image:
     """Digits and the point side by side, white."""
-    from PIL import Image as Pillow
-    from PIL import ImageDraw, ImageFont
-
     sheet = Pillow.new("L", (_WIDE * len(_CHARACTERS), _HIGH))
     draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(40)
     for number, text in enumerate(_CHARACTERS):

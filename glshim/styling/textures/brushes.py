@@ -12,6 +12,7 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
+from numpy.random import default_rng
 
 from glshim.styling.pictures import Image, is_coloured, read_image
 from glshim.styling.textures.fields import MOST, Doubles, even, noise
@@ -28,7 +29,7 @@ class _Sheet:
     1 and sizes in pixels."""
 
     def __init__(self, width: float, length: float, seed: int) -> None:
-        self._chance = np.random.default_rng(_SEED + seed)
+        self._chance = default_rng(_SEED + seed)
         self.rows = int(np.clip(np.ceil(_FINE * width), 12, 160))
         self.columns = int(np.clip(round(_FINE * length), 64, MOST))
         self._down, self._along = self.rows / width, self.columns / length

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy import fft
+from numpy.random import Generator
 from numpy.typing import NDArray
 
 Doubles = NDArray[np.float64]
@@ -34,14 +36,14 @@ def inside(distance: Doubles, grain: float) -> Doubles:
 
 
 def noise(
-    chance: np.random.Generator, shape: tuple[int, int], size: tuple[float, float]
+    chance: Generator, shape: tuple[int, int], size: tuple[float, float]
 ) -> Doubles:
     """Smooth noise of a size in texels (across, along) that tiles; mean 0, deviation 1."""
-    waves = np.fft.fft2(chance.standard_normal(shape))
-    down, along = (np.fft.fftfreq(n) for n in shape)
+    waves = fft.fft2(chance.standard_normal(shape))
+    down, along = (fft.fftfreq(n) for n in shape)
     blur = np.exp(-2.0 * ((np.pi * size[0] * down[:, None] / 2.0) ** 2
                           + (np.pi * size[1] * along[None, :] / 2.0) ** 2))  # fmt: skip
-    found = np.fft.ifft2(waves * blur).real
+    found = fft.ifft2(waves * blur).real
     return np.asarray((found - found.mean()) / max(float(found.std()), 1e-12))
 
 

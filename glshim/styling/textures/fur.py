@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.random import Generator, default_rng
 from PIL import Image, ImageDraw
 
 from glshim.styling.textures.fields import Doubles, sharp
@@ -25,7 +26,7 @@ def cartoon_fur(width: float, length: float) -> Doubles:
     finer = max(256 // rows, 2)
     sheet = Image.new("L", (columns * finer, rows * finer))
     draw = ImageDraw.Draw(sheet)
-    chance = np.random.default_rng(_SEED)
+    chance = default_rng(_SEED)
     end = length / width
     tufts = max(min(round(end / _SPACING), columns // _NARROWEST), 1)
     room = end / tufts / _SPACING  # 1, but where the tile is too short or too long to draw
@@ -51,7 +52,7 @@ def cartoon_fur(width: float, length: float) -> Doubles:
     return np.asarray(sheet.reduce(finer), np.float64) / 255.0
 
 
-def _lock(chance: np.random.Generator) -> tuple[Doubles, Doubles, Doubles]:
+def _lock(chance: Generator) -> tuple[Doubles, Doubles, Doubles]:
     """The long side of a lock, its short side and a hair within, each from the foot to the tip."""
     high = 0.42 + 0.55 * float(chance.beta(1.3, 1.1))
     wide = chance.uniform(0.55, 0.8)

@@ -6,6 +6,7 @@ Each function gives the ink (rows, columns), 0..1, of a stroke for a width and a
 from __future__ import annotations
 
 import numpy as np
+from numpy.random import default_rng
 
 from glshim.styling.textures.fields import MOST, Doubles, even, inside, noise, places
 
@@ -16,7 +17,7 @@ def pen(width: float, length: float) -> Doubles:
     """A hand-drawn pen stroke: solid, clean at the rims, swelling slowly as the hand presses."""
     along, across, grain = places(width, length)
     columns = along.shape[1]
-    chance = np.random.default_rng(_SEED)
+    chance = default_rng(_SEED)
 
     def hand(pixels: float) -> Doubles:
         found = noise(chance, (1, columns), (1.0, pixels * columns / length))
@@ -36,7 +37,7 @@ def charcoal(width: float, length: float) -> Doubles:
     rows = int(np.clip(np.ceil(2.0 * width), 8, 256))
     columns = int(np.clip(round(rows * length / width), 16, MOST))
     fine = rows / width  # texels a pixel
-    chance = np.random.default_rng(_SEED)
+    chance = default_rng(_SEED)
     tooth = even(
         noise(chance, (rows, columns), (1.1 * fine, 1.1 * fine))
         + 0.7 * noise(chance, (rows, columns), (0.6 * fine, 5.0 * fine))
@@ -61,7 +62,7 @@ def watercolour(width: float, length: float) -> Doubles:
     rows = int(np.clip(np.ceil(3.0 * width), 24, 96))
     columns = int(np.clip(round(rows * length / width), 16, MOST))
     down, along = rows / width, columns / length  # texels a pixel
-    chance = np.random.default_rng(_SEED)
+    chance = default_rng(_SEED)
 
     def line(pixels: float) -> Doubles:
         return noise(chance, (1, columns), (1.0, pixels * along))

@@ -12,6 +12,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 
 import numpy as np
+from numpy.random import default_rng
 
 from glshim.model.camera import Camera
 from glshim.styling.glsl import glsl
@@ -89,7 +90,7 @@ def _unscissored(camera: Camera) -> Camera:
 def grain() -> Image:
     """What paper is like, a value a pixel, all in 0..1 equally common: its tooth (red), and two
     fields of clouds (green, blue)."""
-    chance = np.random.default_rng(2004)
+    chance = default_rng(2004)
     shape = (_SIDE, _SIDE)
 
     def field(fine: float, coarse: float) -> Doubles:

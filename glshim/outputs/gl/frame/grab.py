@@ -7,7 +7,10 @@ import re
 from collections.abc import Callable
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from PIL import Image as Pillow
+from PIL.Image import Image
 
 from glshim.errors import shown
 from glshim.notices import say
@@ -55,9 +58,6 @@ from glshim.spec.pixels import TextureImage
 from glshim.system.interrupts import Held
 from glshim.system.writing import picture_target, write_picture
 
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 Size = tuple[int, int]
 _FRAMEBUFFERS = (
     (GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING),
@@ -84,8 +84,6 @@ def grab(
     place of a framebuffer. Every GL call here is legal in the context's own version, so no error
     arises, and one that the app has yet to fetch stays where it is.
     """
-    from PIL import Image
-
     if size is None:
         _, _, *extent = integers(GL_VIEWPORT, 4)
         size = extent[0], extent[1]
@@ -96,7 +94,7 @@ def grab(
             _read_texture(texture, pixels)
         else:
             _read_framebuffer(framebuffer, buffer, size, pixels, undo)
-    return Image.frombytes("RGB", size, pixels.raw, "raw", "RGB", 0, -1)
+    return Pillow.frombytes("RGB", size, pixels.raw, "raw", "RGB", 0, -1)
 
 
 class FrameWriter:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
 
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
@@ -76,8 +77,6 @@ _TEXTURES = (
 def panel(lines: Sequence[str], most_width: int) -> NDArray[np.uint8]:
     """(H, W, 4) premultiplied, the top row first: lines of text on a dark ground, the first one
     bright, wrapped where they are wider than so many pixels."""
-    from PIL import Image, ImageDraw, ImageFont
-
     font = ImageFont.load_default(_SIZE)
     room = max(most_width - 2 * (MARGIN + PADDING), 40)
     rows = [
