@@ -180,13 +180,6 @@ def _ending(on: Drawable) -> Iterator[None]:
                 _call(listener.before)
         yield
         _over(on)
-        with Held():
-            _presented += 1
-            for listener in _listeners:
-                _call(listener.after)
-            modules.hide()
-        if _leaving:
-            _leave(on)
     finally:
         _showing.discard(thread)
         _drawable = outer
@@ -199,6 +192,7 @@ def _over(drawable: Drawable) -> None:
         _presented += 1
         for listener in _listeners:
             _call(listener.after)
+        modules.hide()
     if _leaving:
         _leave(drawable)
 
