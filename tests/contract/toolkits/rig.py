@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from types import SimpleNamespace
 from typing import Any
 
 from glshim.toolkits import Toolkit
@@ -74,26 +73,3 @@ def fill(width: Any, height: Any) -> None:
     """Answer a question for a size through two pointers."""
     for pointer, value in zip((width, height), SIZE, strict=True):
         ctypes.cast(pointer, ctypes.POINTER(ctypes.c_int)).contents.value = value
-
-
-class MethodRig(Rig):
-    """Toolkits whose windows are shown by a method of their class."""
-
-    takes_early = True
-
-    def __init__(self, toolkit: Toolkit, module: str, name: str, method: str, **more: Any) -> None:
-        super().__init__(toolkit)
-        self.method = method
-        # The rig's own, so that it logs, under a function of the class.
-        cls = type(name, (), {method: lambda window, *_: self.shown(), **more})
-        self.modules = {module: SimpleNamespace(**{name: cls})}
-        self.name, self.module = name, module
-
-    def take(self) -> None:
-        self.kind = getattr(self.modules[self.module], self.name)
-
-    def open(self) -> None:
-        self.window = self.kind()
-
-    def present(self) -> Any:
-        return getattr(self.window, self.method)()
