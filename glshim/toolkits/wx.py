@@ -120,9 +120,10 @@ def _is_ours(event: Any, down: bool) -> bool:
     name = _KEYS.get(event.GetKeyCode())
     if not down:
         return keyboard.released(name)
-    held = keyboard.modifiers(event.GetModifiers(), _MODIFIERS)
-    repeats = getattr(event, "IsAutoRepeat", bool)  # wxPython 4.2
-    return keyboard.pressed(name, held, again=repeats())
+    repeats = getattr(event, "IsAutoRepeat", bool)  # wxPython 4.2; it says so of other presses too
+    if repeats() and keyboard.pressed(name, again=True):
+        return True
+    return keyboard.pressed(name, keyboard.modifiers(event.GetModifiers(), _MODIFIERS))
 
 
 TOOLKITS = (Wx(),)

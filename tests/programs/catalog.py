@@ -73,6 +73,7 @@ TOOLKITS = tuple(
         ("opengl_tk", "Togl", 3),
         ("sdl_window", "PySDL2", 4),
         ("pyglet_window", "pyglet", 4),
+        ("wx_canvas", "wx", 1),
     )
 )
 

@@ -162,7 +162,7 @@ class Recorder:
         threading.Thread(target=look, daemon=True).start()
 
 
-def around(module: ModuleType, name: str, after: Callable[[], None]) -> None:
+def around(module: Any, name: str, after: Callable[[], None]) -> None:
     """Replace `module.name` by itself followed by `after`."""
     original = getattr(module, name, None)
     if original is None:
@@ -213,6 +213,10 @@ def freeze_togl(tkinter: ModuleType, recorder: Recorder) -> None:
             recorder.presented(int(tkinter._default_root.tk.call("winfo", "id", widget), 16))
 
     tkinter.BaseWidget.__init__ = begin
+
+
+def freeze_wx(glcanvas: ModuleType, recorder: Recorder) -> None:
+    around(glcanvas.GLCanvas, "SwapBuffers", recorder.presented)
 
 
 def freeze_glx(glx: ModuleType, recorder: Recorder) -> None:
@@ -286,7 +290,8 @@ def main() -> None:
     clocks.hold(recorder.moment)
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
              "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "tkinter": freeze_togl,
-             "sdl2": freeze_sdl2, "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt}
+             "sdl2": freeze_sdl2, "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt,
+             "wx.glcanvas": freeze_wx}
     sys.meta_path.insert(0, AfterImport(
         {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))
     recorder.watch(patience=10.0)

@@ -33,7 +33,7 @@ DEBIAN = {  # packages of Debian, unpacked, not installed; the libraries are for
 }
 NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",), "dxf2gcode": ("PyQt5",)}
 PLACES = {"dxf2gcode": "usr/lib/python3/dist-packages"}  # where a source's modules lie
-MODULES = {"pyopengltk": "tkinter", "Togl": "tkinter"}  # that come with Python, or do not
+MODULES = {"pyopengltk": "tkinter", "Togl": "tkinter", "wx": "wx"}  # that are here, or are not
 LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu", "Togl": "usr/lib/x86_64-linux-gnu"}
 TCL = {"Togl": "usr/lib/tcltk"}  # where packages of Tcl's lie
 
@@ -90,12 +90,12 @@ def unpack(archive: Path, folder: Path) -> None:
             tar.extractall(folder, filter="data")
 
 
-def fetched(name: str) -> Path:
-    """The same, where this Python has what it needs besides."""
+def fetched(name: str) -> Path | None:
+    """The same, where this Python has what it needs besides; None where that is all."""
     needed = MODULES.get(name)
     if needed and find_spec(needed) is None:
         raise SourceMissing(f"this Python has no {needed}")
-    return unpacked(name)
+    return unpacked(name) if name in DISTRIBUTIONS or name in DEBIAN else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,8 +114,9 @@ def launch(program: Program) -> Launch:
     folder = HERE.parent.parent
     paths: list[Path] = []
     libraries: list[Path] = []
-    if program.source in DISTRIBUTIONS or program.source in DEBIAN:
-        folder = fetched(program.source)
+    source = fetched(program.source)
+    if source is not None:
+        folder = source
         paths = [folder / PLACES.get(program.source, ""),
                  *map(unpacked, NEEDS.get(program.source, ()))]
         if program.source in LIBRARIES:

@@ -23,13 +23,11 @@ from .sources import LIBRARIES, TCL, SourceMissing, fetched
 F1, SHIFT = 0xFFBE, 0xFFE1
 SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT", "key Shift_L", "key LSHIFT")
 """What the programs make of a shift key, which nobody takes from them."""
-TOOLKITS = (
-    "glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt",
-    "tk", "tk togl", "sdl2", "pyglet",
-)  # fmt: skip
+TOOLKITS = ("glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt")
+OTHERS = ("tk", "tk togl", "sdl2", "pyglet", "wx")
 SOURCES = {
     "qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",), "tk togl": ("Togl",),
-    "sdl2": ("PySDL2",), "pyglet": ("pyglet",),
+    "sdl2": ("PySDL2",), "pyglet": ("pyglet",), "wx": ("wx",),
 }  # fmt: skip
 """What brings the toolkits that are fetched."""
 
@@ -101,12 +99,13 @@ def running(name: str, display: str, folder: Path, **variables: str) -> Iterator
     app, *arguments = name.split()
     sources = SOURCES.get(name, SOURCES.get(app, ()))
     try:
-        folders = {source: fetched(source) for source in sources}
+        found = {source: fetched(source) for source in sources}
     except SourceMissing as reason:
         pytest.skip(str(reason))
+    folders = {source: folder for source, folder in found.items() if folder is not None}
     paths = [str(ROOT), *map(str, folders.values())]
     libraries, tcl = (
-        os.pathsep.join(str(folders[source] / places[source]) for source in sources
+        os.pathsep.join(str(folders[source] / places[source]) for source in folders
                         if source in places)
         for places in (LIBRARIES, TCL)
     )  # fmt: skip
@@ -187,6 +186,28 @@ def test_keys_do_what_they_say_and_the_program_does_not_get_them(
         keys = [line for line in program.lines("key") if line not in SHIFT_ALONE]
         deaf = "deaf" in toolkit
         assert keys[:-1] == ([] if deaf else ["key F8"]), program.said
+        assert keys, "the program's own key has not reached it"
+        assert not [line for line in program.said if "Traceback" in line], program.said
+        assert not program.lines("released")
+
+
+@pytest.mark.parametrize("toolkit", OTHERS)
+def test_keys_of_other_toolkits(toolkit: str, display: str, tmp_path: Path) -> None:
+    """The same, in short: what is done is done by the same code for all."""
+    styles = "raskar:ink=#ff0000;edge_mesh"
+    with running(toolkit, display, tmp_path, GLSHIM_KEYS="on", GLSHIM_STYLES=styles) as program:
+        app = f"glshim-keys_{toolkit.split(maxsplit=1)[0]}"
+        program.press(9)
+        program.wait(lambda: red_of(screen(display)).sum() > 300, "red ink without another event")
+        name, inked = program.saved()
+        assert name == f"{app}-raskar-001.png"
+        assert red_of(screen(display)).sum() == red_of(inked).sum()
+        program.press(9, shift=True)
+        program.press(8)
+        assert program.saved()[0] == f"{app}-edge_mesh-001.png"
+        program.end()
+        keys = [line for line in program.lines("key") if line not in SHIFT_ALONE]
+        assert keys[:-1] == ["key F8"], program.said
         assert keys, "the program's own key has not reached it"
         assert not [line for line in program.said if "Traceback" in line], program.said
         assert not program.lines("released")

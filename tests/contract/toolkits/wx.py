@@ -29,6 +29,10 @@ class KeyEvent:
     def GetModifiers(self) -> int:
         return self.held
 
+    def IsAutoRepeat(self) -> bool:
+        """As wx 3.2 on GTK says of a second press, whatever came between."""
+        return True
+
 
 class WxRig(Rig):
     takes_early = True

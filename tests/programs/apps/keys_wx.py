@@ -25,8 +25,9 @@ class Canvas(glcanvas.GLCanvas):
 
     def pressed(self, event):
         code = event.GetKeyCode() - wx.WXK_F1 + 1
-        name = f"F{code}" if 0 < code < 13 else chr(event.GetKeyCode() % 256).lower()
-        print("key", name, flush=True)
+        name = f"F{code}" if 0 < code < 13 else chr(event.GetKeyCode()).lower()
+        if event.GetKeyCode() != wx.WXK_SHIFT:
+            print("key", name, flush=True)
         if event.GetKeyCode() == wx.WXK_ESCAPE:
             self.GetParent().Close()
 
