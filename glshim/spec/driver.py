@@ -8,6 +8,7 @@ GL error of its own and costs a fifth of a PyOpenGL call. Signatures are data
 from __future__ import annotations
 
 import ctypes
+import os
 from collections.abc import Callable
 from typing import Any
 
@@ -78,7 +79,8 @@ def quick(name: str) -> Callable[..., Any]:
 
 
 _QUICK = ctypes.PYFUNCTYPE(None)  # a new class each time it is asked for
-_get_current: Callable[[], int | None] | None = None
+_Getter = Callable[[], int | None]
+_get_current: _Getter | None = None
 
 
 def current_context() -> int:
@@ -86,10 +88,40 @@ def current_context() -> int:
     global _get_current
     if _get_current is None:
         _get_current = _current_getter()
-    return _get_current() or 0
+    return _get_current() or _of_another_platform()
 
 
-def _current_getter() -> Callable[[], int | None]:
+_OTHERS = (
+    ("libEGL.so.1", "eglGetCurrentContext"),
+    ("libGLX.so.0", "glXGetCurrentContext"),
+    ("libGL.so.1", "glXGetCurrentContext"),
+)
+_others: dict[str, _Getter] = {}
+
+
+def _of_another_platform() -> int:
+    """The current context where it is not of the platform that PyOpenGL has been told: toolkits
+    choose theirs by themselves, and its functions are the same. 0 when none is current."""
+    from OpenGL.platform import PLATFORM
+
+    if "OSMesa" in str(getattr(PLATFORM.GL, "_name", "")):  # a GL of its own
+        return 0
+    for library, name in _OTHERS:
+        getter = _others.get(name)
+        if getter is None:
+            try:
+                loaded = ctypes.CDLL(library, mode=os.RTLD_NOLOAD)
+            except (OSError, AttributeError):  # the process has no such library; no such system
+                continue
+            place = ctypes.cast(getattr(loaded, name), ctypes.c_void_p).value
+            getter = _others[name] = ctypes.PYFUNCTYPE(ctypes.c_void_p)(place or 0)
+        handle = getter()
+        if handle:
+            return handle
+    return 0
+
+
+def _current_getter() -> _Getter:
     from OpenGL.platform import PLATFORM
 
     getter = PLATFORM.GetCurrentContext

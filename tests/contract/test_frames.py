@@ -213,6 +213,21 @@ def test_glfw_with_two_windows_and_its_finally(tmp_path: Path) -> None:
     assert pictures(tmp_path) == [((100, 80), (255, 0, 0)), ((60, 50), (0, 255, 0))] * 2
 
 
+@pytest.mark.parametrize("platform", ["egl", "glx"])
+def test_a_context_of_another_platform_than_pyopengl_was_told(
+    tmp_path: Path, platform: str
+) -> None:
+    """Toolkits choose theirs by themselves."""
+    program = GLFW.replace(
+        "glfw.init()",
+        "glfw.init(); glfw.window_hint(glfw.CONTEXT_CREATION_API, "
+        f"glfw.{'NATIVE' if platform == 'egl' else 'EGL'}_CONTEXT_API)")
+    done = run(program, tmp_path, PYOPENGL_PLATFORM=platform, GLSHIM_STYLE="raskar",
+               GLSHIM_FRAMES="4", GLSHIM_CAPTURE="%d.png")  # fmt: skip
+    assert (done.returncode, done.stdout, done.stderr) == (0, "finally 1\n", "")
+    assert pictures(tmp_path) == [((100, 80), (255, 0, 0)), ((60, 50), (0, 255, 0))] * 2
+
+
 def test_pygame_that_swallows_the_exit_ends_a_frame_later(tmp_path: Path) -> None:
     done = run(PYGAME, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="%d.png")
     assert done.returncode == 0
