@@ -93,19 +93,24 @@ def _ask_the_others(
 
 
 def _run_after(loader: object, name: str) -> None:
-    """Shadow the loader's ``exec_module`` for one run: spec and loader stay the app's own objects,
-    as `inspect`, `pkgutil` and `importlib.resources` expect them."""
-    execute: Action | None = getattr(loader, "exec_module", None)
-    if execute is None:
+    """Shadow the loader's ``exec_module``, or in old ones ``load_module``, for one run: spec and
+    loader stay the app's own objects, as `inspect`, `pkgutil` and `importlib.resources` expect
+    them."""
+    method = "exec_module" if hasattr(loader, "exec_module") else "load_module"
+    plain: Callable[..., ModuleType | None] | None = getattr(loader, method, None)
+    if plain is None:
         return
 
-    def exec_module(module: ModuleType) -> None:
-        del loader.exec_module  # type: ignore[attr-defined]
-        execute(module)
-        for action in _actions.pop(name, ()):
-            _run(action, module)
+    def shadow(given: ModuleType | str) -> ModuleType | None:
+        delattr(loader, method)
+        loaded = plain(given)
+        module = loaded or given
+        if not isinstance(module, str):
+            for action in _actions.pop(name, ()):
+                _run(action, module)
+        return loaded
 
     try:
-        loader.exec_module = exec_module  # type: ignore[attr-defined]
+        setattr(loader, method, shadow)
     except AttributeError:  # a loader without a __dict__: the module is used as it is
         _actions.pop(name, None)
