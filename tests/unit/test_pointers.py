@@ -1,36 +1,77 @@
-"""What lies behind the argument of a raw vector call, as the recorder reads it. No GL."""
+"""What a call's arguments arrive as, told without the call. No GL: the function is one of C's."""
+
+from __future__ import annotations
 
 import ctypes
+from typing import Any
 
 import numpy as np
 import pytest
+from OpenGL.arrays import GLfloatArray
 
-from glshim.bindings.pyopengl import forward
-from glshim.spec.attributes import BY_NAME
+from glshim.bindings.pyopengl import conversions
 
-VERTEX = BY_NAME["glVertex3f"]
 POINT = [1.0, 2.0, 3.0]
+_libc = ctypes.CDLL(None)
+_place = ctypes.cast(_libc.abort, ctypes.c_void_p).value  # it is never called
+VECTOR = ctypes.CFUNCTYPE(None, GLfloatArray)(_place)
+SCALARS = ctypes.CFUNCTYPE(None, *[ctypes.c_float] * 3)(_place)
+C_ARRAY = (ctypes.c_float * 3)(*POINT)
 
 
 @pytest.mark.parametrize("value", [
     np.array(POINT, np.float32),
     np.array([POINT], np.float32),
     np.array([*POINT, 4.0], np.float32),
-    np.matrix(POINT, np.float32),  # two dimensions, however it is reshaped
-    (ctypes.c_float * 3)(*POINT),
-    ctypes.cast((ctypes.c_float * 3)(*POINT), ctypes.POINTER(ctypes.c_float)),
-], ids=["row", "nested", "longer", "matrix", "c-array", "c-pointer"])
-def test_the_components_in_order(value: object) -> None:
-    assert list(forward.read(VERTEX, value)) == POINT
-
-
-@pytest.mark.parametrize("value", [
-    np.array(POINT, np.float64),
-    np.array([*POINT, *POINT], np.float32)[::2],
-    np.array(POINT[:2], np.float32),
+    np.matrix(POINT, np.float32),
+    C_ARRAY,
+    ctypes.pointer(C_ARRAY),
+    ctypes.byref(C_ARRAY),
+    ctypes.cast(C_ARRAY, ctypes.POINTER(ctypes.c_float)),
     POINT,
-    None,
-], ids=["doubles", "strided", "short", "list", "nothing"])
-def test_what_pyopengl_must_convert_is_left_to_it(value: object) -> None:
-    with pytest.raises(TypeError):
-        forward.read(VERTEX, value)
+    bytes(C_ARRAY),
+], ids=[
+    "row", "nested", "longer", "matrix", "c-array", "pointer", "by reference", "c-pointer", "list",
+    "bytes",
+])  # fmt: skip
+def test_what_lies_at_an_address(value: object) -> None:
+    assert conversions.behind(VECTOR, "f", 3)(value) == tuple(POINT)
+
+
+class Counted:
+    """A number of the program's."""
+
+    def __init__(self) -> None:
+        self.asked = 0
+
+    def __float__(self) -> float:
+        self.asked += 1
+        return 7.0
+
+
+def test_numbers_are_asked_once() -> None:
+    number = Counted()
+    convert = conversions.numbers(SCALARS, "fff")
+    assert convert(number, True, 1e300, ignored=1) == (7.0, 1.0, float("inf"))
+    assert number.asked == 1
+
+
+@pytest.mark.parametrize(
+    "args", [(1, 2), (1, 2, "3"), (1, 2, 3, object()), (None, 2, 3), (1j, 2, 3)]
+)
+def test_refused_in_the_same_words(args: tuple[Any, ...]) -> None:
+    said = []
+    for call in (SCALARS, conversions.numbers(SCALARS, "fff")):
+        with pytest.raises((TypeError, ctypes.ArgumentError)) as refusal:
+            call(*args)
+        said.append(repr(refusal.value))
+    assert said[0] == said[1]
+
+
+def test_extra_arguments_are_taken() -> None:
+    assert conversions.numbers(SCALARS, "fff")(1, 2, 3, 4, "5") == (1.0, 2.0, 3.0)
+
+
+def test_a_vector_that_is_refused() -> None:
+    with pytest.raises(ctypes.ArgumentError, match="argument 1"):
+        conversions.behind(VECTOR, "f", 3)(np.zeros(3))

@@ -1,44 +1,150 @@
-"""How C and numpy convert the arguments of recorded calls, in plain Python."""
+"""PyOpenGL's own conversion of a call's arguments, without the call.
+
+A twin of its ctypes function has the same types: it takes what that takes, and refuses the rest in
+the same words, whatever flags and handlers of arrays the program has set. Behind the twin stands a
+function of C's that hands back what it was given. No Python code of ours runs in between.
+"""
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable, Sequence
-from operator import index
 from struct import Struct
 from typing import Any
 
-from glshim.bindings.pyopengl.forward import ELEMENTS
+from numpy import ndarray
+
+from glshim.bindings.pyopengl.raw import Call
+from glshim.bindings.pyopengl.record import Record
 from glshim.spec.attributes import Attribute
-from glshim.system.interrupts import is_ours
+
+ELEMENTS: dict[str, Any] = {
+    "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
+    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte, "e": ctypes.c_uint,
+}  # fmt: skip
+"""C types by the type letters of attributes, and of an enum."""
+_FORMATS = {"f": "f", "d": "d", "i": "i", "s": "h", "u": "B", "b": "B", "e": "I"}
+"""The same in the language of struct."""
 
 
-def enum(value: Any) -> int:
-    """An enum given as something that ctypes takes for an integer; -1 for anything else."""
-    try:
-        return index(getattr(value, "value", value))
-    except TypeError as error:
-        if not is_ours(error):
-            raise
-        return -1
+_SEQUENCES = (list, tuple, ndarray)
+_PYOPENGL = ("OpenGL", "OpenGL_accelerate")
 
 
-def as_c_takes(row: Attribute) -> Callable[[Sequence[Any]], bytes]:
-    """Makes the record of arguments that the driver took, converted as C does: integers wrap,
-    large doubles become infinite. Empty when that cannot be told."""
-    convert = INTEGERS[row.type](row.size) if row.type in INTEGERS else None
-    element = ELEMENTS["f" if row.type == "d" else row.type]
-    pack, tag, size = row.pack.pack, row.tag, row.size
+def sequences(record: Record) -> frozenset[type]:
+    """Those of list, tuple and array that PyOpenGL's own handlers convert, not the program's; as
+    long as the primitive is open, the record knows it."""
+    from OpenGL.arrays.arraydatatype import ArrayDatatype
 
-    def taken(args: Sequence[Any]) -> bytes:
-        try:
-            values = [element(getattr(a, "value", a)).value for a in args[:size]]
-            return pack(*(convert(*values) if convert else values), tag)
-        except Exception as error:
-            if not is_ours(error):
-                raise
-            return b""
+    handlers = map(ArrayDatatype.getRegistry().get, _SEQUENCES)
+    record.sequences = found = frozenset(
+        kind
+        for kind, handler in zip(_SEQUENCES, handlers, strict=True)
+        if handler is None or type(handler).__module__.partition(".")[0] in _PYOPENGL
+    )
+    return found
 
-    return taken
+
+def integers() -> frozenset[type]:
+    """Exact types of integers that arrive as they are, but for what C cuts off."""
+    from OpenGL.constant import IntConstant
+
+    return frozenset((int, IntConstant))
+
+
+def layout(letter: str, size: int) -> Struct:
+    """So many numbers of one type, as they lie in memory."""
+    return Struct(f"@{size}{_FORMATS[letter]}")
+
+
+class Handlers:
+    """Which handlers of arrays PyOpenGL has: its own, or some of the program's."""
+
+    def __init__(self) -> None:
+        self._get: Callable[[type], Any] | None = None
+        self._seen: tuple[Any, ...] = ()
+        self._sequences: frozenset[type] = frozenset()
+
+    def sequences(self) -> frozenset[type]:
+        """Those of list, tuple and array that its own convert."""
+        get = self._get or self._look_up()
+        seen = get(list), get(tuple), get(ndarray)
+        if seen != self._seen:
+            self._seen = seen
+            self._sequences = frozenset(
+                kind
+                for kind, handler in zip(_SEQUENCES, seen, strict=True)
+                if handler is None or type(handler).__module__.partition(".")[0] in _PYOPENGL
+            )
+        return self._sequences
+
+    def _look_up(self) -> Callable[[type], Any]:
+        from OpenGL.arrays.arraydatatype import ArrayDatatype
+
+        self._get = get = ArrayDatatype.getRegistry().get
+        return get  # type: ignore[no-any-return]
+
+
+HANDLERS = Handlers()
+
+
+def function_of(real: Call) -> Any:
+    """The ctypes function of a raw call; None where PyOpenGL has wrapped it, to log its calls."""
+    function = getattr(real, "__self__", None)
+    return function if isinstance(function, ctypes._CFuncPtr) else None  # type: ignore[attr-defined]
+
+
+def driver_of(function: Any, *types: Any) -> Callable[..., Any]:
+    """What it calls, bare."""
+    place = ctypes.cast(function, ctypes.c_void_p).value
+    assert place is not None
+    return ctypes.PYFUNCTYPE(None, *types)(place)
+
+
+def numbers(function: Any, letters: str) -> Callable[..., tuple[Any, ...]]:
+    """Takes the arguments of a call, positional and named, and gives the numbers that the driver
+    would get. letters: their types, each one of `ELEMENTS`."""
+    together = Struct("@" + "".join(_FORMATS[letter] for letter in letters))
+    given_back = ctypes.CFUNCTYPE(ctypes.py_object, *(ELEMENTS[letter] for letter in letters))
+    twin = _twin(function, given_back(together.pack))
+    return lambda *args, **named: together.unpack(twin(*args, **named))
+
+
+def behind(function: Any, letter: str, size: int) -> Callable[[Any], tuple[Any, ...]]:
+    """Takes the one argument of a call, and gives the numbers that the driver would find at its
+    address: so many, of one type."""
+    together = layout(letter, size)
+    length = ctypes.c_ssize_t(together.size)
+    # It takes an address and a length. C passes on what a function has no parameter for.
+    twin = _twin(function, ctypes.pythonapi.PyBytes_FromStringAndSize)
+    return lambda pointer, **named: together.unpack(twin(pointer, length, **named))
+
+
+def _twin(function: Any, stand_in: Any) -> Callable[..., bytes]:
+    kind = type(
+        type(function).__name__,
+        (ctypes._CFuncPtr,),  # type: ignore[attr-defined]
+        {
+            "_flags_": function._flags_ | ctypes._FUNCFLAG_PYTHONAPI,  # type: ignore[attr-defined]
+            "_restype_": ctypes.py_object,
+            "_argtypes_": tuple(function.argtypes),
+        },
+    )
+    twin = kind(ctypes.cast(stand_in, ctypes.c_void_p).value)
+    twin.stand_in = stand_in  # as long as it
+    return twin  # type: ignore[no-any-return]
+
+
+def recorded(row: Attribute) -> Callable[[Sequence[Any]], bytes]:
+    """From the numbers that the driver gets to their record. What is too large for a float is
+    infinite in it, as for the driver."""
+    pack, tag = Struct("@" + row.pack.format[1:]).pack, row.tag
+    if row.type == "u":
+        return lambda values: pack(*(value / 255.0 for value in values), tag)
+    return lambda values: pack(*values, tag)
+
+
+# -- integers that are known to arrive as they are, by an argument count ---------------------------
 
 
 def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
@@ -46,7 +152,10 @@ def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
         check = Struct(f"={size}{letter}").pack
 
         def convert(*args: Any) -> tuple[Any, ...]:
-            check(*args)  # floats, or integers that C would wrap: not recorded
+            for value in args:
+                if type(value) is not int:
+                    raise TypeError
+            check(*args)  # C would wrap it
             return args
 
         return convert
@@ -56,30 +165,31 @@ def _ranged(letter: str) -> Callable[[int], Callable[..., tuple[Any, ...]]]:
 
 def _bytes(size: int) -> Callable[..., tuple[Any, ...]]:
     """Unsigned bytes as C takes them (300 is 44), made 0..1 as GL does."""
-    if size == 3:
-        return lambda r, g, b: ((r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0)
-    return lambda r, g, b, a: (
-        (r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0, (a & 255) / 255.0
-    )  # fmt: skip
 
+    def three(r: Any, g: Any, b: Any) -> tuple[Any, ...]:
+        if type(r) is type(g) is type(b) is int:
+            return (r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0
+        raise TypeError
 
-def _strict_bytes(size: int) -> Callable[..., tuple[Any, ...]]:
-    """Unsigned bytes from a list, which numpy converts and does not wrap."""
-    check = Struct(f"={size}B").pack
-    return lambda *args: tuple(value / 255.0 for value in check(*args))
+    def four(r: Any, g: Any, b: Any, a: Any) -> tuple[Any, ...]:
+        if type(r) is type(g) is type(b) is type(a) is int:
+            return (r & 255) / 255.0, (g & 255) / 255.0, (b & 255) / 255.0, (a & 255) / 255.0
+        raise TypeError
+
+    return three if size == 3 else four
 
 
 def _switch(size: int) -> Callable[..., tuple[Any, ...]]:
-    return lambda flag: (flag & 255,)  # Mesa answers glGet by its very value
+    def convert(flag: Any) -> tuple[Any, ...]:
+        if type(flag) is int or type(flag) is bool:
+            return (flag & 255,)  # Mesa answers glGet by its very value
+        raise TypeError
+
+    return convert
 
 
-def _strict_switch(size: int) -> Callable[..., tuple[Any, ...]]:
-    check = Struct("=B").pack
-    return lambda flag: tuple(check(flag))
-
-
-_Converters = dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]]
-INTEGERS: _Converters = {"i": _ranged("i"), "s": _ranged("h"), "u": _bytes, "b": _switch}
-"""By type letter: from an argument count to what turns C integers into the recorded floats."""
-LISTED: _Converters = {**INTEGERS, "u": _strict_bytes, "b": _strict_switch}
-"""The same for members of lists, tuples and arrays."""
+INTEGERS: dict[str, Callable[[int], Callable[..., tuple[Any, ...]]]] = {
+    "i": _ranged("i"), "s": _ranged("h"), "u": _bytes, "b": _switch,
+}  # fmt: skip
+"""By type letter: from an argument count to what turns Python's integers into the recorded floats,
+and raises an error for all others."""

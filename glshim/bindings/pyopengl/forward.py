@@ -7,6 +7,7 @@ same current attributes; everything else is replayed call by call through the ba
 from __future__ import annotations
 
 import ctypes
+import operator
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import lru_cache, partial
@@ -28,7 +29,6 @@ from glshim.spec.attributes import (
     TAG_OFFSET,
     TEXCOORD,
     VERTEX,
-    Attribute,
     decode,
 )
 from glshim.spec.constants import (
@@ -84,25 +84,17 @@ _CLIENT_STATES = (
 _UNITS, _ATTRIBUTES = 8, 32
 """At most so many texture units and generic attributes are looked at."""
 _LONGEST_PERIOD = 4
-_FEW = 128
-"""Records that are split by a struct of their own."""
 _FLOAT = Struct("=f")
 _ONE = _FLOAT.pack(1.0)
 _Array = tuple[int, int, Any]
 """Kind, components and address, which may keep alive what lies there."""
-
-ELEMENTS: dict[str, Any] = {
-    "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
-    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte,
-}  # fmt: skip
-"""C types by the type letters of attributes."""
 
 Step = Callable[[], Any]
 """A call of C's with its arguments: `glshim.system.interrupts.at_once` makes it."""
 
 _calls: list[Callable[..., Any]] = []
 """By tag."""
-_CALL: Any = ctypes.PYFUNCTYPE(None).__call__
+_CALL: Any = getattr(operator, "call", ctypes.PYFUNCTYPE(None).__call__)
 
 _TAKES: dict[str, Callable[[bytes], Any]] = {
     "opaque": lambda record: record[:12] + _ONE,
@@ -111,36 +103,36 @@ _TAKES: dict[str, Callable[[bytes], Any]] = {
 """By `Replay.takes`: from a record to the argument, where that is not the record itself."""
 _OTHERS = {tag: _TAKES[row.takes] for tag, row in enumerate(REPLAY) if row.takes in _TAKES}
 """By tag."""
-_PLAIN = bytes(tag for tag in range(len(REPLAY) + 1) if tag not in _OTHERS)
-END = bytes((*bytes(TAG_OFFSET), len(REPLAY), *bytes(RECORD_BYTES - TAG_OFFSET - 1)))
-"""The record of glEnd, which takes nothing and does not look at what it is given."""
+_PLAIN = bytes(tag for tag in range(len(REPLAY)) if tag not in _OTHERS)
 
 
-def saying(stream: bytes) -> Iterable[Any]:
-    """Says the recorded calls to the driver one by one, as it is exhausted. Exact in every case."""
+def saying(stream: bytes, records: Sequence[bytes] | None = None) -> Iterable[Any]:
+    """Says the recorded calls to the driver one by one, as it is exhausted. Exact in every case.
+    records: the same, one by one."""
     calls = _calls or _bare_calls()
     tags = stream[TAG_OFFSET::RECORD_BYTES]
-    if len(tags) <= _FEW:
-        arguments: Sequence[Any] = _split(len(tags))(stream)
-    else:
-        arguments = [stream[at : at + TAG_OFFSET] for at in range(0, len(stream), RECORD_BYTES)]
+    arguments: Sequence[Any] = split(stream) if records is None else records
     if tags.translate(None, _PLAIN):
         arguments = [
             _OTHERS[tag](record) if tag in _OTHERS else record
             for tag, record in zip(tags, arguments, strict=True)
         ]
+    for period in range(1, _LONGEST_PERIOD + 1) if tags else ():
+        beat = tags[:period]
+        if tags == beat * (len(tags) // period):  # twice as fast
+            columns = [map(calls[tag], arguments[at::period]) for at, tag in enumerate(beat)]
+            return zip(*columns, strict=True) if period > 1 else columns[0]
     return map(_CALL, map(calls.__getitem__, tags), arguments)
 
 
-@lru_cache(maxsize=_FEW + 1)
-def _split(count: int) -> Callable[[bytes], Sequence[bytes]]:
-    """From so many records to what they hold, each without its tag."""
-    return Struct(f"{TAG_OFFSET}s{RECORD_BYTES - TAG_OFFSET}x" * count).unpack
+def split(stream: bytes) -> list[bytes]:
+    """The records of a stream."""
+    return [stream[at : at + RECORD_BYTES] for at in range(0, len(stream), RECORD_BYTES)]
 
 
 def _bare_calls() -> list[Callable[..., Any]]:
     if not _calls:
-        _calls.extend([*(quick(row.name) for row in REPLAY), gl.glEnd])
+        _calls.extend(quick(row.name) for row in REPLAY)
     return _calls
 
 
@@ -313,11 +305,11 @@ def _texture_units() -> int:
     return max(0, min(integer(GL_MAX_TEXTURE_UNITS), _UNITS) - 1)
 
 
-def check(real: Callable[..., Any]) -> Any:
-    """PyOpenGL's own error check of a call that was made past it."""
+def check(real: Callable[..., Any], args: tuple[Any, ...] = ()) -> Any:
+    """PyOpenGL's own error check of a call with these arguments that was made past it."""
     function = getattr(real, "__self__", None)
     checker = getattr(function, "errcheck", None)
-    return checker(None, function, ()) if checker is not None else None
+    return checker(None, function, args) if checker is not None else None
 
 
 def error_checker() -> Any:
@@ -325,22 +317,3 @@ def error_checker() -> Any:
     from OpenGL.raw.GL import _errors
 
     return _errors._error_checker
-
-
-def read(row: Attribute, value: Any = None, *more: Any) -> Sequence[Any]:
-    """The components behind a pointer-like argument of a raw vector call, as Python numbers.
-
-    Raises TypeError where PyOpenGL's own conversion should decide.
-    """
-    element, size = ELEMENTS[row.type], row.size
-    if not more:
-        if isinstance(value, np.ndarray):
-            if value.dtype == element and value.flags.c_contiguous and value.size >= size:
-                flat = np.asarray(value).reshape(-1)  # a matrix stays of two dimensions
-                return flat[:size].tolist()  # type: ignore[no-any-return]
-        elif isinstance(value, ctypes.Array):
-            if value._type_ is element and len(value) >= size:
-                return value[:size]
-        elif isinstance(value, ctypes._Pointer) and value._type_ is element and value:
-            return value[:size]
-    raise TypeError("not plainly numbers of the right type")

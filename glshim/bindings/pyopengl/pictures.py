@@ -4,6 +4,7 @@ whatever the style, and around its hooks."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
@@ -25,10 +26,10 @@ def stand_around(around: Around | None) -> None:
             return None
 
         def maker(call: Call) -> Call:
-            def hook(*args: Any) -> Any:
+            def hook(*args: Any, **named: Any) -> Any:
                 if around is None or record.inside() or record.list_open:
-                    return call(*args)
-                return around(name, args, call)
+                    return call(*args, **named)
+                return around(name, args, partial(call, **named) if named else call)
 
             return hook
 

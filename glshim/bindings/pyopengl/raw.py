@@ -293,7 +293,7 @@ def _replace_call(function: Any, hook: Call, **more: Any) -> None:
         # A library's own functions have no types on their class, but on themselves.
         **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
         **more,
-        "__call__": lambda _self, *args: hook(*args),
+        "__call__": lambda _self, *args, **_named: hook(*args),  # ctypes ignores keywords
     }
     function.__class__ = type(cls.__name__, (cls,), body)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from io import BytesIO
 from threading import get_ident
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
+from glshim.spec.attributes import RECORD_BYTES
 from glshim.system.interrupts import at_once
 
 
@@ -20,20 +20,24 @@ class Record:
     """
 
     __slots__ = (
-        "held", "home", "list_open", "loose", "mode", "shadow", "sink", "stream", "write",
+        "held", "home", "list_open", "loose", "mode", "records", "sequences", "shadow", "sink",
+        "write",
     )  # fmt: skip
 
     def __init__(self) -> None:
         self.sink: PrimitiveSink | None = None
         self.list_open = False
-        self.stream = BytesIO()
-        self.write: Callable[[bytes], int] = self.stream.write
+        self.records: list[bytes] = []
+        self.write: Callable[[bytes], None] = self.records.append
         """Records what is said."""
-        self.held: Callable[[bytes], int] | None = None
+        self.held: Callable[[bytes], None] | None = None
         """`write` while vertices are held back, else None."""
         self.shadow = False
         self.loose = False
         """Inside a display list, outside any primitive of it; a shadow, too."""
+        self.sequences: frozenset[type] | None = None
+        """What PyOpenGL's own handlers of arrays convert, of list, tuple and array; None until that
+        is asked in this primitive."""
         self.mode = 0
         self.home = 0
         """The thread that opened the primitive."""
@@ -48,12 +52,16 @@ class Record:
 
     def position(self) -> int:
         """Bytes recorded so far."""
-        return self.stream.tell()
+        return RECORD_BYTES * len(self.records)
+
+    def stream(self) -> bytes:
+        """All that is recorded so far."""
+        return b"".join(self.records)
 
     def restart(self) -> None:
         """An empty record."""
-        self.stream = BytesIO()
-        self.write = self.stream.write
+        self.records = []
+        self.write = self.records.append
 
     def spill(self) -> None:
         """Send what is held back, call by call; the rest of the primitive follows at once."""
@@ -61,13 +69,13 @@ class Record:
             at_once((
                 partial(setattr, self, "held", None),
                 partial(setattr, self, "shadow", True),
-                forward.said(self.stream.getvalue()),
+                forward.said(self.stream()),
             ))  # fmt: skip
 
     def extend(self, records: bytes) -> None:
         """Add records of vertices that reached the driver another way."""
         if self.shadow:
-            self.write(records)
+            self.records += forward.split(records)
 
     def replay(self, records: bytes) -> None:
         """Say records to the driver, call by call, past every hook."""
@@ -88,14 +96,14 @@ class Record:
         self.spill()
         self.settle()
         if self.sink is not None and self.shadow and not self.loose:
-            self.sink.unfinished(self.mode, self.stream.getvalue())
+            self.sink.unfinished(self.mode, self.stream())
         self.loose = self.shadow = False
         self.list_open = False
 
     def settle(self) -> None:
         """Tell the sink what an open list has said outside primitives so far."""
         if self.loose:
-            records = self.stream.getvalue()
+            records = self.stream()
             self.restart()
             if self.sink is not None:
                 self.sink.loose(records)
@@ -103,7 +111,7 @@ class Record:
     def resume(self, mode: int, records: bytes) -> None:
         """A list that was called left a primitive open, with these records in it."""
         self.restart()
-        self.write(records)
+        self.records += forward.split(records)
         self.mode, self.home = mode, get_ident()
         self.shadow = True
 
@@ -113,4 +121,4 @@ class Record:
             return None
         self.spill()
         self.shadow = False
-        return self.mode, self.stream.getvalue()
+        return self.mode, self.stream()

@@ -9,16 +9,17 @@ rest of the primitive goes straight through, recorded as well.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable
 from functools import partial
-from io import BytesIO
+from itertools import chain
 from threading import get_ident
 from typing import Any, NamedTuple
 
-from glshim.bindings.pyopengl import attributes, forward
-from glshim.bindings.pyopengl.conversions import enum
+from glshim.bindings.pyopengl import attributes, conversions, forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
+from glshim.bindings.pyopengl.vectors import vectors
 from glshim.spec.attributes import ATTRIBUTES
 from glshim.spec.constants import GL_TRIANGLE_STRIP_ADJACENCY
 from glshim.spec.driver import gl, quick
@@ -28,6 +29,8 @@ _LOOK_OUT = 64
 """Primitives after a large one that may be large, too."""
 _LAST_MODE = GL_TRIANGLE_STRIP_ADJACENCY
 """Greater modes are errors inside glBegin."""
+_ENUM = 0xFFFFFFFF
+"""What C keeps of an integer."""
 
 
 class Recorder:
@@ -75,9 +78,9 @@ class Recorder:
             wrappers["glEnd"] = _quick("glEnd", end, "onEnd", 0)
         for row in ATTRIBUTES:
             vector = row.name + "v"
-            raw[row.name] = _named(row.name, attributes.scalars(self.record, row))
-            raw[vector] = _named(vector, attributes.pointers(self.record, row))
-            wrappers[vector] = _named(vector, attributes.vectors(self.record, row))
+            raw[row.name] = attributes.scalars(self.record, row)
+            raw[vector] = attributes.pointers(self.record, row)
+            wrappers[vector] = vectors(self.record, row)
         return raw, wrappers
 
 
@@ -95,17 +98,29 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
     def make_begin(real: Call, checked: bool) -> Call:
         driver_begin = quick("glBegin")
+        integers = conversions.integers()
+        function = conversions.function_of(real)
+        converted: Callable[..., tuple[Any, ...]] | None = None
 
-        def begin(*args: Any) -> Any:
-            nonlocal expected, able
+        def begin(*args: Any, **named: Any) -> Any:
+            nonlocal expected, able, converted
             if record.loose:
                 record.settle()
                 record.loose = record.shadow = False
-            mode = args[0] if len(args) == 1 else None
-            if not isinstance(mode, int):
-                mode = enum(mode)
-            if record.held is not None or record.shadow or not 0 <= mode <= _LAST_MODE:
-                return real(*args)
+            plain = len(args) == 1 and type(args[0]) in integers
+            if plain:
+                mode = args[0] & _ENUM
+            elif function is None:
+                return real(*args, **named)
+            else:
+                if converted is None:
+                    converted = conversions.numbers(function, "e")
+                mode = converted(*args, **named)[0]
+            if record.held is not None or record.shadow or mode > _LAST_MODE:
+                if plain:
+                    return real(*args, **named)
+                driver_begin(mode)
+                return forward.check(real, args)
             try:
                 if record.sink is not None:
                     record.sink.begin(mode)
@@ -114,14 +129,16 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     able = forward.able(mode)
                 elif able:
                     able = False
-                record.stream = stream = BytesIO()
-                record.write = write = stream.write
+                records: list[bytes] = []
+                record.records = records
+                record.write = write = records.append
                 record.mode = mode
                 record.home = get_ident()
                 if careful:
-                    real(*args)
+                    real(*args, **named)
                     record.shadow = True
                     return None
+                record.sequences = None
                 record.held = write
             except BaseException:  # a signal handler's, before the primitive
                 record.held = None
@@ -129,33 +146,39 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     record.sink.refused()
                 raise
             driver_begin(mode)  # what is raised now finds the primitive open
-            return forward.check(real) if checked else None
+            return forward.check(real, args) if checked else None
 
         return begin
 
     def make_end(real: Call) -> Call:
-        def end(*args: Any) -> Any:
+        function = conversions.function_of(real)
+
+        def end(*args: Any, **named: Any) -> Any:
             nonlocal expected
             held = record.held is not None
             if not held and not record.shadow:
-                return real(*args)
+                return real(*args, **named)
             if record.loose:
                 record.settle()
                 if record.sink is not None:
                     record.sink.stray_end()
-                return real(*args)
-            mode, records = record.mode, record.stream.getvalue()
+                return real(*args, **named)
+            if args and function is not None:
+                conversions.numbers(function, "")(*args)
+            mode, records = record.mode, record.records
+            stream = b"".join(records)
             parted = None
-            if held and len(records) >= forward.SMALL:
+            if held and len(stream) >= forward.SMALL:
                 expected = _LOOK_OUT
                 if able and not record.list_open:
-                    parted = forward.parted(mode, records)
+                    parted = forward.parted(mode, stream)
             if careful:
                 whole: Iterable[Any] = ()
             elif parted:
                 whole = in_turn((parted.head, gl.glEnd))
             else:
-                whole = forward.saying(records + forward.END if held else forward.END)
+                ended = in_turn((gl.glEnd,))
+                whole = chain(forward.saying(stream, records), ended) if held else ended
             drawn: list[bool] = []
             try:
                 try:
@@ -164,7 +187,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     record.held, record.shadow = None, False
                 if parted:
                     at_once((*parted.rest(), partial(drawn.append, True)))
-                return real(*args) if careful else forward.check(real)
+                return real(*args, **named) if careful else forward.check(real, args)
             except BaseException:  # a signal handler's perhaps, in the middle
                 if parted and not drawn:
                     with Held():
@@ -173,7 +196,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
             finally:
                 if record.sink is not None:
                     try:
-                        record.sink.end(mode, records)
+                        record.sink.end(mode, stream)
                     finally:
                         if record.list_open:
                             record.restart()
@@ -184,31 +207,26 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
     return _Brackets(make_begin, make_end)
 
 
-def _named(name: str, make: Maker) -> Maker:
-    """Hooks that go by the name of what they stand for in Python's own messages."""
-
-    def maker(call: Call) -> Call:
-        hook = make(call)
-        hook.__qualname__ = name
-        return hook
-
-    return maker
+_HOME = "OpenGL.GL.exceptional"
+"""Where PyOpenGL wraps glBegin and glEnd."""
 
 
 def _quick(name: str, make: Maker, bookkeeping: str, count: int) -> Maker:
     """What PyOpenGL's lazy wrapper does, less two Python calls: its bookkeeping, then the hook."""
 
     def make_wrapper(base: Call) -> Call:
-        hook: Call | None = None
+        own: Any = None  # PyOpenGL's; a program may have one of its own
+        hook: Call = base
         before: Call = type(None)  # does nothing
 
         def wrapper(this: Any, *args: Any, **named: Any) -> Any:
-            nonlocal hook, before
-            if hook is None or named or len(args) != count:
+            nonlocal own, hook, before
+            if this is not own or named or len(args) != count:
                 real = RAW.original(name)
-                if real is None or named or len(args) != count:
+                its = getattr(sys.modules.get(_HOME), name, None)
+                if real is None or this is not its or named or len(args) != count:
                     return base(this, *args, **named)  # the long way loads it, or raises
-                hook = make(real)
+                own, hook = this, make(real)
                 before = getattr(forward.error_checker(), bookkeeping)
             before()
             return hook(*args)

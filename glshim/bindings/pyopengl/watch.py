@@ -93,18 +93,18 @@ class Watch:
         def maker(real: Call) -> Call:
             inside = _RECORD.inside
 
-            def bracket(*args: Any) -> Any:
+            def bracket(*args: Any, **named: Any) -> Any:
                 with Held():
-                    return hook(*args)
+                    return hook(*args, **named)
 
-            def hook(*args: Any) -> Any:
+            def hook(*args: Any, **named: Any) -> Any:
                 if closes and _RECORD.list_open:
                     _RECORD.close_list()
                 # In a list an attribute may belong to the primitive that calls it, or the next.
                 if inside() or (attribute and _RECORD.list_open):
-                    return self._inside(role, name, args, real)
+                    return self._inside(role, name, args, named, real)
                 try:
-                    return real(*args)
+                    return real(*args, **named)
                 finally:
                     if opens and not _RECORD.list_open and compiles_a_list():
                         _RECORD.open_list(capturing=False)
@@ -113,13 +113,15 @@ class Watch:
 
         return maker
 
-    def _inside(self, role: Role, name: str, args: tuple[Any, ...], real: Call) -> Any:
+    def _inside(
+        self, role: Role, name: str, args: tuple[Any, ...], named: dict[str, Any], real: Call
+    ) -> Any:
         """A call inside a primitive: what was recorded goes first, the rest straight through."""
         from OpenGL.error import GLError
 
         _RECORD.spill()
         try:
-            result = real(*args)
+            result = real(*args, **named)
         except GLError:
             if self._watcher is not None:
                 self._watcher.inside(role, name, args, real)
@@ -137,15 +139,15 @@ class Watch:
 
             inside = _RECORD.inside
 
-            def hook(*args: Any) -> Any:
+            def hook(*args: Any, **named: Any) -> Any:
                 watcher = self._watcher
                 if watcher is None:
-                    return real(*args)
+                    return real(*args, **named)
                 if inside():
-                    return self._inside(role, name, args, real)
+                    return self._inside(role, name, args, named, real)
                 watcher.before(role, name, args)
                 try:
-                    result = real(*args)
+                    result = real(*args, **named)
                 except GLError:
                     watcher.failed(role, name, args, real)
                     raise
@@ -161,11 +163,11 @@ class Watch:
 
     def _bracket(self, name: str, role: Role) -> Maker:
         def maker(real: Call) -> Call:
-            def hook(*args: Any) -> Any:
+            def hook(*args: Any, **named: Any) -> Any:
                 with Held():  # what is known of a list is what is in it
-                    return bracket(*args)
+                    return bracket(*args, **named)
 
-            def bracket(*args: Any) -> Any:
+            def bracket(*args: Any, **named: Any) -> Any:
                 watcher = self._watcher
                 if role is Role.LIST_CLOSE:
                     if _RECORD.list_open:
@@ -175,13 +177,13 @@ class Watch:
                             watcher.before(role, name, args)
                     else:
                         _RECORD.spill()
-                    return real(*args)
+                    return real(*args, **named)
                 closed = not _RECORD.list_open and not _RECORD.inside()
                 _RECORD.spill()
                 if closed and watcher is not None:
                     watcher.before(role, name, args)
                 try:
-                    return real(*args)
+                    return real(*args, **named)
                 finally:
                     if closed and compiles_a_list():
                         if watcher is not None:
