@@ -46,7 +46,7 @@ class Counted:
 
 class Pipeline:
     """From the program's calls to what a styler adds at the end of each layer: a
-    `glshim.sources.following.follower.LayerSink`.
+    `glshim.sources.following.sink.LayerSink`.
 
     Following outlives a style: display lists and buffers that were made under one, or under none,
     are known to the next.

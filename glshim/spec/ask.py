@@ -83,6 +83,13 @@ def of_light(light: int, name: int) -> tuple[float, float, float, float]:
     return values[0], values[1], values[2], values[3]
 
 
+def of_program(program: int, name: int) -> int:
+    """One integer of a program object."""
+    value = ctypes.c_int(0)
+    gl.glGetProgramiv(program, name, ctypes.byref(value))
+    return value.value
+
+
 def of_attribute(position: int, name: int) -> int:
     """One integer of a generic vertex attribute."""
     value = ctypes.c_int(0)

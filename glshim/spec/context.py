@@ -17,6 +17,7 @@ from glshim.spec.constants import (
     GL_NUM_EXTENSIONS,
     GL_PRIMITIVE_RESTART,
     GL_PRIMITIVE_RESTART_FIXED_INDEX,
+    GL_PROGRAM_PIPELINE_BINDING,
     GL_VERSION,
     GL_VERTEX_ARRAY_BINDING,
 )
@@ -66,7 +67,7 @@ def restarts_primitives() -> bool:
 
 def compiles_a_list() -> bool:
     """Whether the driver is compiling a display list. Ask outside a primitive."""
-    return bool(current_context() and integer(GL_LIST_INDEX))
+    return bool(current_context() and has_fixed_function() and integer(GL_LIST_INDEX))
 
 
 def has_vertex_arrays() -> bool:
@@ -78,16 +79,14 @@ def obstacles_to_client_arrays() -> tuple[int, ...]:
     """What must be zero where an app's own draws from client arrays shall do the same as its
     glBegin and glEnd, by the names of integers; empty where they cannot be relied on at all."""
     number = version()
-    if number is None or number < (2, 0):
+    if number is None or number < (2, 0) or not _has_fixed_function(number):
         return ()
-    # A program of the app's may look at gl_VertexID.
-    program, array_object = GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING
-    if number >= (3, 0):
-        return program, array_object
-    extensions = text(GL_EXTENSIONS)
-    if not extensions:
-        return ()
-    return (program, array_object) if "_vertex_array_object" in extensions else (program,)
+    found = [GL_CURRENT_PROGRAM]  # which may look at gl_VertexID, as may one in a pipeline
+    if has_pipelines():
+        found.append(GL_PROGRAM_PIPELINE_BINDING)
+    if number >= (3, 0) or "_vertex_array_object" in " ".join(_extensions(version_text())):
+        found.append(GL_VERTEX_ARRAY_BINDING)
+    return tuple(found)
 
 
 def has_framebuffers() -> bool:
@@ -124,12 +123,36 @@ def _has_fixed_function(number: Version) -> bool:
         return True
     if number > (3, 1):
         return not integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT
-    names = (gl.glGetStringi(GL_EXTENSIONS, i) for i in range(integer(GL_NUM_EXTENSIONS)))
-    return any(ctypes.string_at(name) == b"GL_ARB_compatibility" for name in names)
+    return "GL_ARB_compatibility" in _extensions(version_text())
+
+
+def has_debug_output() -> bool:
+    """Whether there is debug output, with a switch."""
+    return _has((4, 3), "GL_KHR_debug")
+
+
+def has_pauses() -> bool:
+    """Whether transform feedback can be paused."""
+    return _has((4, 0), "GL_ARB_transform_feedback2")
+
+
+def has_pipelines() -> bool:
+    """Whether there are program pipelines."""
+    return _has((4, 1), "GL_ARB_separate_shader_objects")
 
 
 def _has(since: Version, extension: str) -> bool:
-    number = version()
+    told = version_text()
+    number = _number(told)
     if number is None:
         return False
-    return number >= since or extension in text(GL_EXTENSIONS).split()
+    return number >= since or extension in _extensions(told)
+
+
+@cache
+def _extensions(told: str) -> frozenset[str]:
+    """Of contexts of a version, which drivers give in full text."""
+    if (_number(told) or OLDEST) < (3, 0):
+        return frozenset(text(GL_EXTENSIONS).split())
+    names = (gl.glGetStringi(GL_EXTENSIONS, i) for i in range(integer(GL_NUM_EXTENSIONS)))
+    return frozenset(ctypes.string_at(name).decode("ascii", "replace") for name in names)

@@ -55,6 +55,9 @@ class Role(Enum):
     NAMED_BUFFER_WRITE = "changes what the buffer object of a name holds"
     BUFFERS_WRITE = "changes what some buffer objects hold"
     CLIP_PLANE = "sets a user clip plane"
+    QUERY_OPEN = "begins to count what is drawn"
+    CONDITION_OPEN = "lets what is drawn depend on a query"
+    CONDITION_CLOSE = "lets it depend on nothing"
 
     __hash__ = object.__hash__
     """Members are one each: Enum's own is written in Python and costs each hooked call."""
@@ -68,6 +71,7 @@ POLYGON_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, *LIS
 """Draw polygons that we can know."""
 OTHER_DRAWS = frozenset((Role.PIXELS, Role.OPAQUE_DRAW))
 BUFFER_WRITES = frozenset((Role.BUFFER_WRITE, Role.NAMED_BUFFER_WRITE, Role.BUFFERS_WRITE))
+CONDITIONS = frozenset((Role.CONDITION_OPEN, Role.CONDITION_CLOSE))
 IN_LISTS = frozenset(
     (
         Role.MATRIX, Role.MATRIX_MODE, Role.MATRIX_PUSH, Role.MATRIX_POP, Role.ENABLE,
@@ -77,7 +81,7 @@ IN_LISTS = frozenset(
 )  # fmt: skip
 """Followed only while a display list is open; else the driver is asked."""
 WATCHED = (
-    POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES
+    POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES | CONDITIONS
     | {
         Role.LIST_FORGET, Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READ_IMAGE,
         Role.READBACK, Role.TARGET, Role.CLIP_PLANE,
@@ -163,11 +167,14 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.BUFFERS_WRITE, r"glCopy(Named)?BufferSubData"),  # the first argument is read from
     (Role.BUFFERS_WRITE, r"glInvalidateBuffer(Sub)?Data|gl(Begin|End)TransformFeedback(NV|EXT)?"),
     (Role.CLIP_PLANE, r"glClipPlane[fx]?(OES|IMG)?"),
+    (Role.QUERY_OPEN, r"glBeginQuery(Indexed|ARB|EXT)?|glBeginOcclusionQueryNV"),
+    (Role.CONDITION_OPEN, r"glBeginConditionalRender(NV)?"),
+    (Role.CONDITION_CLOSE, r"glEndConditionalRender(NV)?"),
 )  # fmt: skip
 
 KNOWN_PASS = re.compile(
     r"glDrawBuffer\w+|glReadBuffer\w*|glRead(Instruments)\w*|glCopyPathNV|glClear(Color|Depth|Stencil"
-    r"|Index|Accum|TexSubImage|TexImage|TexSubImage)\w*|gl(Begin|End)(ConditionalRender|Query|OcclusionQuery|Perf|Fragment"
+    r"|Index|Accum|TexSubImage|TexImage|TexSubImage)\w*|gl(Begin|End)(ConditionalRenderNVX|Query|OcclusionQuery|Perf|Fragment"
     r"|VertexShader|Video)\w*|glFinish\w+|glFlush\w+|glMapGrid\w*|glMap[12]\w+|glMap(Control|Param"
     r"|Vertex|Object|Texture)\w+|glUnmap(Object|Texture)\w+|glVertex(Binding|Blend|Format|Pointer"
     r"|Weight|Attrib|Array)\w*|glMulti(Tex|cast)\w+|glBuffer(Address|Attach|Page|Parameter|Storage)\w+"

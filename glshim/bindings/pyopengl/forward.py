@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.spec.ask import integer, is_enabled
+from glshim.spec.ask import integer
 from glshim.spec.attributes import (
     BY_NAME,
     COLOR,
@@ -40,7 +40,6 @@ from glshim.spec.constants import (
     GL_FLOAT,
     GL_FOG_COORD_ARRAY,
     GL_INDEX_ARRAY,
-    GL_LINE_STIPPLE,
     GL_LINE_STRIP,
     GL_LINES,
     GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
@@ -50,6 +49,8 @@ from glshim.spec.constants import (
     GL_POINTS,
     GL_QUAD_STRIP,
     GL_QUADS,
+    GL_RENDER,
+    GL_RENDER_MODE,
     GL_SECONDARY_COLOR_ARRAY,
     GL_TEXTURE0,
     GL_TEXTURE_COORD_ARRAY,
@@ -58,8 +59,9 @@ from glshim.spec.constants import (
     GL_VERTEX_ARRAY,
     GL_VERTEX_ATTRIB_ARRAY_ENABLED,
 )
-from glshim.spec.context import obstacles_to_client_arrays
+from glshim.spec.context import obstacles_to_client_arrays, version_text
 from glshim.spec.driver import current_context, gl, quick
+from glshim.spec.queries import counting_if_seen
 from glshim.system.interrupts import exhaust
 
 SMALL = 128 * RECORD_BYTES
@@ -70,12 +72,11 @@ _ARRAYS = {
     TEXCOORD: GL_TEXTURE_COORD_ARRAY,
 }  # fmt: skip
 """Client states by kind."""
-_HEADS = {
-    GL_POINTS: (1, 1), GL_LINES: (2, 2), GL_LINE_STRIP: (2, 1), GL_TRIANGLES: (3, 3),
-    GL_TRIANGLE_STRIP: (4, 2), GL_QUADS: (4, 4), GL_QUAD_STRIP: (4, 2),
-}  # fmt: skip
-"""By mode: vertices of the part that is said call by call, and the first vertex of the rest. Fans,
-polygons and line loops cannot be parted."""
+_PARTED = frozenset((
+    GL_POINTS, GL_LINES, GL_LINE_STRIP, GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_QUADS, GL_QUAD_STRIP,
+))  # fmt: skip
+"""Modes of which one vertex draws nothing, but for points: fans, polygons and line loops of one
+are not tried."""
 _EDGE_FLAG_TAG = BY_NAME["glEdgeFlag"].tag
 _CLIENT_STATES = (
     GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,
@@ -149,32 +150,33 @@ def replay(stream: bytes) -> None:
 def able(mode: int) -> bool:
     """Whether a large primitive of this mode may be drawn from arrays in the state that the driver
     is in. Ask outside a primitive: these queries disturb nothing, not even Mesa's batching."""
-    context = current_context()
-    if mode not in _HEADS or not context:
+    if mode not in _PARTED or not current_context():
         return False
-    if context not in _obstacles:
-        _obstacles[context] = obstacles_to_client_arrays()
-    obstacles = _obstacles[context]
+    told = version_text()
+    if told not in _obstacles:
+        _obstacles[told] = obstacles_to_client_arrays()
+    obstacles = _obstacles[told]
     return bool(
         obstacles
         and not any(map(integer, obstacles))
+        and integer(GL_RENDER_MODE) == GL_RENDER  # each part would be a strip in feedback
+        and not counting_if_seen()  # which vertices come twice, and how they are batched
         and integer(GL_CLIENT_ATTRIB_STACK_DEPTH) < integer(GL_MAX_CLIENT_ATTRIB_STACK_DEPTH)
-        # The stipple runs along it.
-        and not (mode == GL_LINE_STRIP and is_enabled(GL_LINE_STIPPLE))
     )
 
 
-_obstacles: dict[int, tuple[int, ...]] = {}
-"""By context the integers that must be zero; empty when arrays are out of the question."""
+_obstacles: dict[str, tuple[int, ...]] = {}
+"""By version the integers that must be zero; empty when arrays are out of the question."""
 
 
 class Parted(NamedTuple):
     """A primitive whose glBegin the driver has, in two parts."""
 
     head: Step
-    """Says the first polygon, call by call; glEnd follows."""
+    """Says the first vertex; glEnd follows."""
     rest: Callable[[], list[Step]]
-    """Asks the driver, outside the primitive, and gives what draws the rest in one glDrawArrays."""
+    """Asks the driver, outside the primitive, and gives what draws all of it in one glDrawArrays.
+    """
 
 
 def parted(mode: int, stream: bytes) -> Parted | None:
@@ -183,20 +185,22 @@ def parted(mode: int, stream: bytes) -> Parted | None:
     None for a stream that only a replay renders exactly.
 
     Mesa 22.3 sets the terms. An empty glBegin/glEnd pair makes it lose the next primitive: hence
-    the first polygon. An attribute that comes in different sizes, or for the first time after some
-    vertices, makes it cut the primitive where its buffers happen to stand: hence replays.
+    the first vertex, which draws nothing by itself. Polygons are not shared out: which way a quad
+    is cut depends on whether anything of its draw is clipped. An attribute that comes in different
+    sizes, or for the first time after some vertices, makes it cut the primitive where its buffers
+    happen to stand: hence replays.
     """
-    head, start = _HEADS[mode]
+    start = int(mode == GL_POINTS)
     tags, values = decode(stream)
     period = _period(tags)
     if period:
-        return _parted_regular(mode, stream, tags[:period], head, start)
+        return _parted_regular(mode, stream, tags[:period], start)
     used = np.flatnonzero(np.bincount(tags, minlength=len(KIND)))
     kinds = KIND[tags]
     vertex_rows = np.flatnonzero(kinds == VERTEX)
     if _EDGE_FLAG_TAG in used or len(set(KIND[used].tolist())) < len(used):
         return None
-    if len(vertex_rows) <= head:
+    if len(vertex_rows) < 2:
         return None
     arrays: list[_Array] = []
     last: list[bytes] = []
@@ -214,7 +218,7 @@ def parted(mode: int, stream: bytes) -> Parted | None:
         array = np.ascontiguousarray(values[rows[which], :size])
         arrays.append((kind, size, array.ctypes._as_parameter_))
     return Parted(
-        said(stream[: (int(vertex_rows[head - 1]) + 1) * RECORD_BYTES]),
+        said(stream[: (int(vertex_rows[0]) + 1) * RECORD_BYTES]),
         lambda: [
             *_arrays_drawn(mode, len(vertex_rows) - start, arrays, 0), said(b"".join(last)),
         ],
@@ -233,19 +237,19 @@ def _period(tags: NDArray[np.int32]) -> int:
 
 
 def _parted_regular(
-    mode: int, stream: bytes, tags: NDArray[np.int32], head: int, start: int
+    mode: int, stream: bytes, tags: NDArray[np.int32], start: int
 ) -> Parted | None:
     """The stream is an interleaved array as it stands: nothing is copied."""
     stride = len(tags) * RECORD_BYTES
     count = len(stream) // stride
-    if _EDGE_FLAG_TAG in tags or count <= head:
+    if _EDGE_FLAG_TAG in tags or count < 2:
         return None
     base = int(np.frombuffer(stream, np.uint8).ctypes.data) + start * stride
     arrays = [
         (int(KIND[tag]), int(SIZE[tag]), base + i * RECORD_BYTES) for i, tag in enumerate(tags)
     ]
     return Parted(
-        said(stream[: head * stride]),
+        said(stream[:stride]),
         lambda: [
             *_arrays_drawn(mode, count - start, arrays, stride), said(stream[-stride:-RECORD_BYTES])
         ],

@@ -12,6 +12,7 @@ from typing import Any
 from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.spec import queries
 from glshim.spec.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,
@@ -65,6 +66,8 @@ class Watch:
 
     def _own(self, name: str) -> Maker | None:
         role = role_of(name)
+        if role is Role.QUERY_OPEN:
+            return self._maker("own:" + name, lambda: _noting)
         if role not in _SPILLING or (self._watcher is not None and role in WATCHED):
             return None
         return self._maker("own:" + name, lambda: self._spilling(name, role))
@@ -200,6 +203,16 @@ class Watch:
             RAW.hook_matching(self._in_lists)
         elif not follow and self._in_lists in RAW.matchers:
             RAW.unhook_matching(self._in_lists)
+
+
+def _noting(real: Call) -> Call:
+    """A query begins: those are asked about from now on."""
+
+    def hook(*args: Any, **named: Any) -> Any:
+        queries.begin_seen()
+        return real(*args, **named)
+
+    return hook
 
 
 WATCH = Watch()

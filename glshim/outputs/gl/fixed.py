@@ -18,7 +18,7 @@ from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
-from glshim.outputs.gl.device.guard import Guard, drain, possible
+from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
@@ -71,6 +71,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
 from glshim.spec.driver import current_context, gl
+from glshim.spec.errorflag import drain
 from glshim.styling.fixed import BackFaces
 from glshim.styling.values import Colour, in_order
 

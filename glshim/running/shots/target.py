@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from PIL.Image import Image
 
-from glshim.outputs.gl.device.guard import Guard, drain
+from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.grab import grab
 from glshim.running.shots.mapping import Mapping
@@ -36,6 +36,7 @@ from glshim.spec.constants import (
     GL_STENCIL_INDEX8,
 )
 from glshim.spec.driver import gl
+from glshim.spec.errorflag import drain
 
 _DEPTHS = {
     16: GL_DEPTH_COMPONENT16, 24: GL_DEPTH_COMPONENT24, 32: GL_DEPTH_COMPONENT32,

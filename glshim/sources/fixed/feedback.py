@@ -38,8 +38,6 @@ from glshim.spec.constants import (
     GL_FILL,
     GL_FOG,
     GL_FRONT_AND_BACK,
-    GL_INVALID_ENUM,
-    GL_INVALID_VALUE,
     GL_LIGHTING,
     GL_LINE,
     GL_LINE_RESET_TOKEN,
@@ -60,7 +58,7 @@ from glshim.spec.constants import (
     GL_RENDER,
 )
 from glshim.spec.driver import gl
-from glshim.system.interrupts import Held
+from glshim.spec.unnoticed import Unnoticed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -80,8 +78,6 @@ _STACKS = (
     (GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH),
 )
 """Depths of the attribute stacks, and their limits."""
-_NO_SWITCH = 0xFFFF
-"""A number that GL knows no switch by."""
 _SIDE = 1024
 _FIRST_RADIUS = 1.0e6
 _COARSE = 2.0**-21
@@ -94,7 +90,7 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
     Costs three or four runs of ``draw``: call once and keep the result. The GL state that ``draw``
     changes is put back, matrices included. Call outside glBegin/glEnd and open display lists.
     """
-    with Held(), _stage() as set_stage:
+    with Unnoticed(), _stage() as set_stage:
         radius = _FIRST_RADIUS
         while True:
             triangles, _ = _parse(_run(draw, set_stage, radius, GL_FILL), radius)
@@ -122,7 +118,6 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
         integer(GL_FEEDBACK_BUFFER_TYPE),
         pointer_of(GL_FEEDBACK_BUFFER_POINTER) or None,
     )
-    error = gl.glGetError()
     saved = _save_matrices()
     gl.glPushAttrib(GL_ALL_ATTRIB_BITS)
     gl.glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS)
@@ -146,20 +141,6 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
         gl.glPopAttrib()
         _restore_matrices(saved)
         gl.glFeedbackBuffer(*buffer)
-        while gl.glGetError():
-            pass
-        if error:
-            _raise_flag(error)
-
-
-def _raise_flag(error: int) -> None:
-    """Set the GL error flag again that the app has not asked for yet."""
-    if error == GL_INVALID_ENUM:
-        gl.glEnable(_NO_SWITCH)
-    elif error == GL_INVALID_VALUE:
-        gl.glViewport(0, 0, -1, -1)
-    else:
-        gl.glEnd()
 
 
 def _save_matrices() -> tuple[int, Any, Any]:

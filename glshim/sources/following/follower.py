@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import traceback
 from collections.abc import Callable
-from typing import Any, Protocol, TypeVar
+from typing import Any, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import POSITIONS, Wanted
@@ -15,14 +15,16 @@ from glshim.sources.arguments import number
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices
-from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, Scenes
+from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
 from glshim.spec.pixels import PICK_AREA
+from glshim.spec.queries import UNCOUNTED, counting
 from glshim.spec.roles import (
     BUFFER_WRITES,
+    CONDITIONS,
     IN_LISTS,
     LIST_CALLS,
     OTHER_DRAWS,
@@ -39,25 +41,6 @@ _MOST_PLACES, _MOST_IN_A_ROW = 3, 16
 """Faults of ours, in following: so many kinds, or so many of one, are no exception any more."""
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-
-class LayerSink(Protocol):
-    """Where layers go, and what must be known on the way."""
-
-    def cover(self) -> None:
-        """Polygons that carry lines are about to be drawn by the app."""
-
-    def uncover(self) -> None:
-        """They have been drawn."""
-
-    def layer_ends(self, layer: FinishedLayer, scene: Scene) -> None:
-        """The depth of a layer with polygons is final, in the current context's scene."""
-
-    def context_ended(self, handle: int) -> None:
-        """A context is gone, and another one is current: at its address perhaps."""
-
-    def give_up(self, error: BaseException) -> None:
-        """A fault of ours: no more styling; the app's call goes on."""
 
 
 class _StylingFault(Exception):
@@ -221,9 +204,9 @@ class Follower:
             self._clear(scene, _COLOR_AND_DEPTH)
         elif role is Role.READ_PIXELS:
             if number(args, 2) * number(args, 3) > PICK_AREA:  # else it gets the app's colours
-                self._finish(scene)
+                self._finish(scene, waits=True)
         elif role in _READERS:
-            self._finish(scene)
+            self._finish(scene, waits=role is not Role.TARGET)
         elif role in BUFFER_WRITES:
             if not scene.refused:
                 scene.fixed.fetch.buffer_written(role, args)
@@ -278,6 +261,8 @@ class Follower:
             self._close(scene)
         elif role in IN_LISTS:
             fixed.lists.add(Change.of(name, args))
+        elif role in CONDITIONS:
+            self._scenes.condition_called(scene, role, args)
         elif role is Role.LIST_OPEN:
             fixed.lists.open(name_among(args, 0), name_among(args, 1))
 
@@ -335,14 +320,14 @@ class Follower:
             return
         state = scene.reader.read()
         compiling = scene.fixed.lists.is_open
-        if layer.pending and layer.ends_with(state) and not compiling:
-            self._end_layer(scene)
+        if layer.pending and not compiling and (layer.overdue or layer.ends_with(state)):
+            self._end_layer(scene, waits=layer.same_target(state))
         if not polygons:
             return
         obstacle = scene.obstacle(state)
         if obstacle:
             say_once(f"unstyled: polygons drawn while {obstacle}")
-        elif layer.carries(state):
+        elif layer.carries(state) and not scene.condition.discards:
             scene.drawing = state
             if not compiling:
                 if state.camera.lit and layer.lighting is None:
@@ -359,23 +344,31 @@ class Follower:
 
     def _add(self, scene: Scene, state: DrawState, drawn: Drawn) -> None:
         """The layer gets what was drawn, from the source that the draw is of."""
-        for polygons, camera in scene.source.polygons(drawn, state):
-            scene.layer.add(state, polygons, camera)
+        with scene.condition.lifted():
+            for polygons, camera in scene.source.polygons(drawn, state):
+                scene.layer.add(state, polygons, camera)
 
-    def _end_layer(self, scene: Scene) -> None:
+    def _end_layer(self, scene: Scene, *, waits: bool = False) -> None:
+        """waits: what comes next leaves the depth as it is, so that it may end later, over that."""
+        counted = counting()
+        scene.layer.overdue = counted and waits
+        if scene.layer.overdue:
+            return
         layer = scene.layer.take()
-        if layer.items:
+        if counted:
+            say_once(f"unstyled: {UNCOUNTED}")
+        elif layer.items:
             try:
-                with Held():
+                with Held(), scene.condition.lifted():
                     self._sink.layer_ends(layer, scene)
             except Exception as error:
                 if not is_ours(error):
                     raise
                 raise _StylingFault from error
 
-    def _finish(self, scene: Scene) -> None:
+    def _finish(self, scene: Scene, *, waits: bool = False) -> None:
         if scene.layer.pending and not scene.fixed.lists.is_open:
-            self._end_layer(scene)
+            self._end_layer(scene, waits=waits)
 
     @contained
     def finish_frame(self) -> None:

@@ -104,6 +104,9 @@ class LayerCollector:
         self._deep: set[Rectangle] = set()
         self._over = False
         self._fresh = True
+        self.overdue = False
+        """It has ended, but a query of the app's is open: what would be drawn now would be counted.
+        """
         self.lighting: Lighting | None = None
         """The lights when the first lit polygons of the layer were drawn."""
 
@@ -129,6 +132,10 @@ class LayerCollector:
             or not state.depth_tested
             or (state.flat and not last.flat and _overlap(state, last.camera.viewport))
         )
+
+    def same_target(self, state: DrawState) -> bool:
+        """Whether a draw in this state goes where the layer was drawn."""
+        return self._last is not None and state.framebuffer == self._last.framebuffer
 
     def _is_hud(self, state: DrawState) -> bool:
         """A flat projection over a picture that has depth; the views of a CAD program that stand

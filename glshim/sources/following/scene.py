@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
+from glshim.sources import arguments
 from glshim.sources.fixed.source import FixedFunction
+from glshim.sources.following.condition import Condition
 from glshim.sources.following.layers import LayerCollector
 from glshim.sources.programs.source import Programs
 from glshim.sources.source import Source
@@ -16,6 +19,7 @@ from glshim.spec.context import shortcoming
 from glshim.spec.driver import current_context
 from glshim.spec.lifetime import witness
 from glshim.spec.objects import FRAMEBUFFER, made
+from glshim.spec.roles import Role
 
 _FRAMES_BETWEEN_LOOKS = 256
 """A look asks the window system once a context."""
@@ -40,6 +44,7 @@ class Scene:
         """Whose the last draw was."""
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
+        self.condition = Condition()
         self._marker = 0
         self._is_there = witness()
 
@@ -98,6 +103,7 @@ class Scenes:
         self._wanted = wanted
         self._by_context: dict[int, Scene] = {}
         self._frames = 0
+        self._conditions_in_lists = False
 
     def current(self) -> Scene | None:
         """The current context's scene; None without a context."""
@@ -108,6 +114,8 @@ class Scenes:
         if scene is None:
             self._look_around(handle)
             scene = self._by_context[handle] = Scene(self._stream, self._wanted)
+            if self._conditions_in_lists:
+                scene.condition.lose()
             if scene.refused:
                 say_unstyled(scene.refused)
         return scene
@@ -129,6 +137,17 @@ class Scenes:
     def _forget(self, handle: int) -> None:
         del self._by_context[handle]
         self._ended(handle)
+
+    def condition_called(self, scene: Scene, role: Role, args: tuple[Any, ...]) -> None:
+        """Conditional rendering begins or ends, or an open list has that now."""
+        if scene.fixed.lists.is_open:
+            self._conditions_in_lists = True
+            for each in self._by_context.values():
+                each.condition.lose()
+        elif role is Role.CONDITION_OPEN:
+            scene.condition.opened(arguments.name(args, 0), arguments.name(args, 1))
+        else:
+            scene.condition.closed()
 
     def restyle(self, wanted: Wanted) -> None:
         """`Scene.restyle`, of all."""

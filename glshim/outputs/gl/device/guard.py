@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import TracebackType
 
-from glshim.spec.ask import integer, is_enabled
+from glshim.spec.ask import integer, is_enabled, of_program
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
     GL_ALL_ATTRIB_BITS,
@@ -13,10 +13,9 @@ from glshim.spec.constants import (
     GL_CLIENT_ATTRIB_STACK_DEPTH,
     GL_COLOR_SUM,
     GL_CURRENT_PROGRAM,
+    GL_DELETE_STATUS,
     GL_DRAW_FRAMEBUFFER,
     GL_DRAW_FRAMEBUFFER_BINDING,
-    GL_INVALID_ENUM,
-    GL_INVALID_VALUE,
     GL_LIST_INDEX,
     GL_MATRIX_MODE,
     GL_MAX_ATTRIB_STACK_DEPTH,
@@ -35,7 +34,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
 from glshim.spec.driver import gl
-from glshim.system.interrupts import Held
+from glshim.spec.unnoticed import Unnoticed
 
 _STACKS = (
     (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),
@@ -55,41 +54,45 @@ _FRAMEBUFFERS = (
 
 def possible() -> bool:
     """Whether drawing is possible here: no full attribute stack, no list being compiled, no
-    selection or feedback going on."""
+    selection or feedback going on, and no program in use that is gone once another one is."""
     return (
         all(integer(depth) < integer(most) for depth, most in _STACKS)
         and integer(GL_RENDER_MODE) == GL_RENDER
         and integer(GL_LIST_INDEX) == 0
+        and not _uses_a_deleted_program()
     )
+
+
+def _uses_a_deleted_program() -> bool:
+    program = integer(GL_CURRENT_PROGRAM) if (version() or (1, 1)) >= (2, 0) else 0
+    return bool(program) and bool(of_program(program, GL_DELETE_STATUS))
 
 
 class Guard:
     """``with Guard():`` saves on entry and restores on exit. Only where `possible` says so.
 
     Costs a few microseconds: the attribute stacks hold nearly everything, and the rest is asked
-    for and set again. An error the app has not fetched yet is put back. Signal handlers of the
-    app's wait until it is left.
+    for and set again. All of it is `Unnoticed`.
 
     The client's arrays are saved with no vertex array object bound: what is drawn inside may use
     the arrays of the context itself, and the app's objects are not looked into.
     """
 
     __slots__ = (
-        "_array", "_error", "_framebuffers", "_held", "_mode", "_program", "_switches", "_texture",
+        "_array", "_framebuffers", "_mode", "_program", "_switches", "_texture", "_unnoticed",
     )  # fmt: skip
 
     def __enter__(self) -> Guard:
-        self._held = Held()
-        self._held.__enter__()
+        self._unnoticed = Unnoticed()
+        self._unnoticed.__enter__()
         try:
             self._save()
         except BaseException:
-            self._held.__exit__()
+            self._unnoticed.__exit__()
             raise
         return self
 
     def _save(self) -> None:
-        self._error = gl.glGetError()
         number = version() or (1, 1)
         self._program = integer(GL_CURRENT_PROGRAM) if number >= (2, 0) else None
         framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
@@ -113,7 +116,7 @@ class Guard:
         try:
             self._restore()
         finally:
-            self._held.__exit__()
+            self._unnoticed.__exit__()
 
     def _restore(self) -> None:
         if self._program is not None:
@@ -134,23 +137,3 @@ class Guard:
             gl.glBindVertexArray(self._array)
         for switch, on in self._switches:
             (gl.glEnable if on else gl.glDisable)(switch)
-        drain()
-        if self._error:
-            _provoke(self._error)
-
-
-def drain() -> None:
-    """Forget the errors of our own so far."""
-    for _ in range(16):  # a lost context reports errors for ever
-        if gl.glGetError() == GL_NO_ERROR:
-            break
-
-
-def _provoke(error: int) -> None:
-    """Set the error flag to one of the three common errors again."""
-    if error == GL_INVALID_ENUM:
-        gl.glEnable(0)
-    elif error == GL_INVALID_VALUE:
-        gl.glLineWidth(-1.0)
-    else:  # GL_INVALID_OPERATION; the rarer ones cannot be had on purpose
-        gl.glEnd()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from glshim.outputs.gl.device.guard import drain
 from glshim.spec.constants import (
     GL_ALPHA_TEST,
     GL_BLEND,
@@ -29,6 +28,7 @@ from glshim.spec.constants import (
     GL_STENCIL_TEST,
 )
 from glshim.spec.driver import gl
+from glshim.spec.errorflag import drain
 
 OFF = (
     GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_ALPHA_TEST, GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP,

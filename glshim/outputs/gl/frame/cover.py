@@ -13,8 +13,9 @@ from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.ask import integers, is_enabled
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
 from glshim.spec.driver import current_context, gl
+from glshim.spec.queries import counting
+from glshim.spec.unnoticed import Unnoticed
 from glshim.styling.protocol import Colour
-from glshim.system.interrupts import Held
 
 
 class Cover:
@@ -40,6 +41,8 @@ class Cover:
     def cover(self) -> None:
         """Before the app's draw, outside primitives; no program of the app's is in use."""
         if self._surface == "app" or self._covered:
+            return
+        if is_enabled(GL_ALPHA_TEST) and counting():  # what fails the test in its own colours
             return
         # Each step can be undone before it is made, and twice: a signal handler may raise between.
         if self._surface in ("paint", "colours"):
@@ -97,7 +100,7 @@ class Cover:
     def _paint(self) -> Paint:
         key = current_context(), self._surface == "paint"
         if key not in self._paints:
-            with Held():
+            with Unnoticed():
                 self._paints[key] = Paint(self._device(), textures=key[1])
         return self._paints[key]
 
@@ -111,6 +114,6 @@ class Cover:
         context = current_context()
         if context not in self._flats:
             texts = shader_text("surface.vert.glsl"), shader_text("surface.frag.glsl")
-            with Held():
+            with Unnoticed():
                 self._flats[context] = self._device().program("surface", *texts)
         return self._flats[context]

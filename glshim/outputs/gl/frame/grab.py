@@ -55,7 +55,7 @@ from glshim.spec.context import has_fixed_function, number_of_any_api, version
 from glshim.spec.driver import gl
 from glshim.spec.objects import FRAMEBUFFER, RENDERBUFFER, delete, made
 from glshim.spec.pixels import TextureImage
-from glshim.system.interrupts import Held
+from glshim.spec.unnoticed import Unnoticed
 from glshim.system.writing import picture_target, write_picture
 
 Size = tuple[int, int]
@@ -81,14 +81,14 @@ def grab(
     """What the current context is about to present; without a size, as much as the viewport.
 
     buffer: of the framebuffer, in place of the one that is shown. texture: a level of that size in
-    place of a framebuffer. Every GL call here is legal in the context's own version, so no error
-    arises, and one that the app has yet to fetch stays where it is.
+    place of a framebuffer. Every GL call here is legal in the context's own version, or what it
+    causes stays `Unnoticed`.
     """
     if size is None:
         _, _, *extent = integers(GL_VIEWPORT, 4)
         size = extent[0], extent[1]
     pixels = ctypes.create_string_buffer(size[0] * size[1] * 3)
-    with Held(), ExitStack() as undo:
+    with Unnoticed(), ExitStack() as undo:
         _pack_plainly(undo)
         if texture is not None:
             _read_texture(texture, pixels)

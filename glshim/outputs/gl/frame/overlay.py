@@ -55,6 +55,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import shortcoming
 from glshim.spec.driver import gl
+from glshim.spec.queries import counting
 
 MARGIN, PADDING = 8, 7
 """Pixels around the panel, and in it around the text."""
@@ -100,8 +101,8 @@ def panel(lines: Sequence[str], most_width: int) -> NDArray[np.uint8]:
 
 def show(pixels: NDArray[np.uint8], size: tuple[int, int] | None, framebuffer: int) -> None:
     """Lay a panel over the top left corner of what is presented, of a size in pixels (None: of the
-    viewport's). Where GL cannot draw now, nothing."""
-    if shortcoming() or not possible():
+    viewport's). Where GL cannot draw now, or a query of the app's would count it, nothing."""
+    if shortcoming() or not possible() or counting():
         return
     if size is None:
         x, y, across, up = integers(GL_VIEWPORT, 4)

@@ -1,0 +1,27 @@
+"""What the follower hands on, and to whom."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from glshim.sources.following.layers import FinishedLayer
+from glshim.sources.following.scene import Scene
+
+
+class LayerSink(Protocol):
+    """Where layers go, and what must be known on the way."""
+
+    def cover(self) -> None:
+        """Polygons that carry lines are about to be drawn by the app."""
+
+    def uncover(self) -> None:
+        """They have been drawn."""
+
+    def layer_ends(self, layer: FinishedLayer, scene: Scene) -> None:
+        """The depth of a layer with polygons is final, in the current context's scene."""
+
+    def context_ended(self, handle: int) -> None:
+        """A context is gone, and another one is current: at its address perhaps."""
+
+    def give_up(self, error: BaseException) -> None:
+        """A fault of ours: no more styling; the app's call goes on."""

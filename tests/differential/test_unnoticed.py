@@ -1,0 +1,252 @@
+"""Errors that wait, queries that are open, messages that are heard: as plain under every style."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import glfw
+import pytest
+from OpenGL import GL
+from OpenGL.GL.ARB.pipeline_statistics_query import GL_VERTICES_SUBMITTED_ARB
+
+from glshim.spec import errorflag
+from glshim.spec.driver import gl
+from glshim.spec.unnoticed import Unnoticed
+from glshim.styling import registry
+from tests import sweep
+
+from .test_contexts import VISIBLE, cube, inked
+from .world import App, run, window
+
+ROOT = Path(__file__).parents[2]
+PROGRAMS = 200 if sweep.FULL else 4
+RANDOM = [
+    (context, flag) for context in ("compatibility", "legacy", "core")
+    for flag in ("--unchecked", "--checked")
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("context", "flag"), sweep.some(RANDOM, 1))
+def test_random_programs_are_told_the_same(context: str, flag: str) -> None:
+    styles = sweep.some(tuple(registry.names()), 2, turn=RANDOM.index((context, flag)))
+    command = [
+        sys.executable, "-m", "tests.unnoticed", "--programs", str(PROGRAMS), "--context", context,
+        "--seed", str(sweep.SEED % 100_000 * 10), "--styles", ",".join(("none", *styles)), flag,
+    ]  # fmt: skip
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert f"{PROGRAMS} programs" in done.stdout and ": 0 programs differ" in done.stdout
+
+
+def _too_large() -> None:
+    name = ctypes.c_uint()
+    gl.glGenBuffers(1, ctypes.byref(name))
+    gl.glBindBuffer(GL.GL_ARRAY_BUFFER, name)
+    gl.glBufferData(GL.GL_ARRAY_BUFFER, 1 << 61, None, GL.GL_STATIC_DRAW)
+    gl.glDeleteBuffers(1, ctypes.byref(name))
+
+
+def _incomplete() -> None:
+    name = ctypes.c_uint()
+    gl.glGenFramebuffers(1, ctypes.byref(name))
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, name)
+    gl.glClear(GL.GL_COLOR_BUFFER_BIT)
+    gl.glDeleteFramebuffers(1, ctypes.byref(name))
+
+
+CORE = {"CONTEXT_VERSION_MAJOR": 4, "CONTEXT_VERSION_MINOR": 5,
+        "OPENGL_PROFILE": glfw.OPENGL_CORE_PROFILE}  # fmt: skip
+PROVOKED: dict[int, Callable[[], object]] = {
+    GL.GL_INVALID_ENUM: lambda: gl.glEnable(0xFFFF),
+    GL.GL_INVALID_VALUE: lambda: gl.glClear(1 << 30),
+    GL.GL_INVALID_OPERATION: lambda: [gl.glEnd()],
+    GL.GL_STACK_OVERFLOW: lambda: [
+        gl.glPushDebugGroup(GL.GL_DEBUG_SOURCE_APPLICATION, 1, 1, b"x") for _ in range(99)
+    ],
+    GL.GL_STACK_UNDERFLOW: lambda: [gl.glPopDebugGroup() for _ in range(99)],
+    GL.GL_OUT_OF_MEMORY: _too_large,
+    GL.GL_INVALID_FRAMEBUFFER_OPERATION: _incomplete,
+}
+STATE = (GL.GL_DEBUG_LOGGED_MESSAGES, GL.GL_DEBUG_GROUP_STACK_DEPTH, GL.GL_DEBUG_OUTPUT,
+         GL.GL_ARRAY_BUFFER_BINDING, GL.GL_DRAW_FRAMEBUFFER_BINDING)  # fmt: skip
+
+
+def _state() -> list[int]:
+    values = (ctypes.c_int * 1)()
+    found = []
+    for name in STATE:
+        gl.glGetIntegerv(name, values)
+        found.append(values[0])
+    return found
+
+
+@pytest.mark.parametrize("hints", [{}, CORE], ids=["compatibility", "core"])
+def test_an_error_that_waits_goes_on_waiting(hints: dict[str, int]) -> None:
+    with window(OPENGL_DEBUG_CONTEXT=1, **hints):
+        for error, provoke in PROVOKED.items():
+            errorflag.drain()
+            provoke()
+            before = _state()
+            with Unnoticed():
+                gl.glEnable(0)
+                gl.glEnd()
+            assert _state() == before
+            assert (errorflag.taken(), error) == ([error], error)
+            with Unnoticed():
+                gl.glEnable(0)
+            assert errorflag.taken() == []
+
+
+# -- queries ---------------------------------------------------------------------------------------
+
+
+def counted(target: int, draw: Callable[[], None]) -> int:
+    """What a query of a target finds."""
+    name, found = ctypes.c_uint(), ctypes.c_uint()
+    gl.glGenQueries(1, ctypes.byref(name))
+    GL.glBeginQuery(target, name.value)
+    draw()
+    GL.glEndQuery(target)
+    gl.glGetQueryObjectuiv(name, GL.GL_QUERY_RESULT, ctypes.byref(found))
+    return found.value
+
+
+def hud() -> None:
+    """Without depth test: the layer ends."""
+    GL.glDisable(GL.GL_DEPTH_TEST)
+    GL.glRectf(-1.5, -1.2, -1.4, -1.1)
+    GL.glEnable(GL.GL_DEPTH_TEST)
+
+
+def cube_and_hud() -> None:
+    cube()
+    hud()
+
+
+@pytest.mark.parametrize("target", [GL.GL_SAMPLES_PASSED, GL.GL_PRIMITIVES_GENERATED,
+                                    GL_VERTICES_SUBMITTED_ARB])  # fmt: skip
+def test_a_layer_that_ends_under_a_query_is_drawn_after_it(target: int) -> None:
+    def scene(app: App) -> None:
+        app.kept.append(counted(int(target), cube_and_hud))
+
+    outcome = run(scene, VISIBLE)
+    assert run(scene).differences(outcome, pictures=False) == {}
+    assert inked(outcome) == inked(run(lambda app: cube_and_hud(), VISIBLE)) > 100
+
+
+def test_lines_that_would_be_counted_are_left_out(capfd: pytest.CaptureFixture[str],
+                                                  monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("glshim.notices._said", set())
+
+    def scene(app: App) -> None:
+        def frame() -> None:
+            cube()
+            GL.glClear(GL.GL_DEPTH_BUFFER_BIT)
+            cube()
+            glfw.swap_buffers(glfw.get_current_context())
+
+        app.kept.append(counted(int(GL.GL_SAMPLES_PASSED), frame))
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        cube()
+
+    plain = run(scene)
+    capfd.readouterr()
+    outcome = run(scene, VISIBLE)
+    assert plain.differences(outcome, pictures=False) == {}
+    assert capfd.readouterr().err.count("while a query of the program's counts") == 1
+    assert inked(outcome) > 100  # the frame after
+
+
+def test_times_count_nothing_of_ours() -> None:
+    def scene(app: App) -> None:
+        counted(int(GL.GL_TIME_ELAPSED), cube_and_hud)
+
+    assert inked(run(scene, VISIBLE)) > 100
+
+
+def test_large_primitives_are_not_shared_out() -> None:
+    """Which way a quad is cut depends on what else is drawn with it, and counts on how often."""
+
+    def fence(mode: int) -> None:
+        GL.glLoadIdentity()
+        GL.glTranslatef(0.0, 0.0, -5.0)
+        GL.glBegin(mode)
+        for i in range(260):
+            GL.glColor3f(0.8, i / 260, 0.3)
+            GL.glVertex3f(5.6 * i / 260 - 2.3, i % 2 - 0.4, i / 260)
+        GL.glEnd()
+
+    def scene(app: App) -> None:
+        GL.glLineStipple(1, 0xF0C1)
+        for stippled in (GL.glDisable, GL.glEnable):
+            stippled(GL.GL_LINE_STIPPLE)
+            for mode in range(10):
+                GL.glClear(GL.GL_COLOR_BUFFER_BIT)
+                fence(mode)
+                app.kept.append(GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+        for mode in range(10):
+            app.kept.append(counted(GL_VERTICES_SUBMITTED_ARB, lambda mode=mode: fence(mode)))
+
+    plain, outcome = run(scene), run(scene, "none")
+    assert plain.differences(outcome) == {}
+
+
+# -- conditional rendering, transform feedback -----------------------------------------------------
+
+
+def nothing_seen() -> int:
+    """A query that found nothing."""
+    name = ctypes.c_uint()
+    gl.glGenQueries(1, ctypes.byref(name))
+    GL.glBeginQuery(GL.GL_SAMPLES_PASSED, name.value)
+    GL.glEndQuery(GL.GL_SAMPLES_PASSED)
+    return name.value
+
+
+@pytest.mark.parametrize("swaps", [False, True])
+def test_conditional_rendering_holds_for_the_program_alone(swaps: bool) -> None:
+    def conditional(app: App) -> None:
+        cube()
+        GL.glBeginConditionalRender(nothing_seen(), GL.GL_QUERY_WAIT)
+        GL.glColor3f(1.0, 0.0, 0.0)
+        GL.glRectf(-2.0, -2.0, 2.0, 2.0)  # is not drawn
+        if swaps:
+            GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        hud()
+        GL.glEndConditionalRender()
+        app.error()
+
+    def alone(app: App) -> None:
+        cube()
+        GL.glColor3f(1.0, 0.0, 0.0)
+
+    outcome, expected = run(conditional, VISIBLE), run(alone, VISIBLE)
+    assert run(conditional).differences(outcome, pictures=False) == {}
+    assert inked(outcome) > 100
+    assert (outcome.picture == expected.picture).all()
+
+
+def test_a_list_may_begin_it_unseen() -> None:
+    def scene(app: App) -> None:
+        query = nothing_seen()
+        GL.glNewList(1, GL.GL_COMPILE)
+        GL.glBeginConditionalRender(query, GL.GL_QUERY_WAIT)
+        GL.glEndList()
+        GL.glNewList(2, GL.GL_COMPILE)
+        GL.glEndConditionalRender()
+        GL.glEndList()
+        for _ in range(2):
+            GL.glCallList(1)
+            cube()
+            hud()
+            GL.glCallList(2)
+            app.error()
+            cube()
+
+    outcome = run(scene, VISIBLE)
+    assert run(scene).differences(outcome, pictures=False) == {}
+    assert inked(outcome) > 100
