@@ -28,16 +28,18 @@ TIERS = {
 }
 TIER_OF = {
     "unit": "unit", "contract": "unit", "differential": "gl", "golden": "gl", "property": "gl",
+    "fuzz": "programs",
     "programs": "programs", "benchmarks": "programs",
 }  # fmt: skip
 """By folder."""
 FIRST = (
-    "programs/test_live.py", "differential/test_transparent.py", "programs/test_demo_apps.py",
+    "fuzz/test_fuzz.py", "programs/test_live.py",
+    "differential/test_transparent.py", "programs/test_demo_apps.py",
     "golden/test_scenes.py", "programs/test_programs.py", "golden/test_lines.py",
     "golden/test_legacy.py", "programs/test_shot.py", "golden/test_two_pass.py",
 )  # fmt: skip
 """The files that take longest: begun late, one of them would keep one processor busy alone."""
-ORDER = ("differential", "golden", "property", "programs", "benchmarks", "contract", "unit")
+ORDER = ("fuzz", "differential", "golden", "property", "programs", "benchmarks", "contract", "unit")
 _until_the_end = ExitStack()
 
 

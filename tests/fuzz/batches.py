@@ -1,0 +1,86 @@
+"""Programs by the batch: each batch is played by processes of its own, in step with each other."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from tests.fuzz.compare import NONE, Difference, differences
+from tests.fuzz.judging import Finding, cause, judge
+from tests.fuzz.lanes import Lane
+from tests.fuzz.making import BATCH, program
+from tests.fuzz.program import Program
+from tests.fuzz.shrink import shrink
+from tests.fuzz.worker import PLAIN
+
+
+@dataclass
+class Count:
+    """What a run was made of."""
+
+    programs: int = 0
+    compared: Counter[str] = field(default_factory=Counter)
+    """Plays compared with plain, by style."""
+    causes: Counter[str] = field(default_factory=Counter)
+    died: list[int] = field(default_factory=list)
+    """Programs that plain itself dies of."""
+    unsteady: list[int] = field(default_factory=list)
+    """Differences that were not there again: plain differs from play to play, too."""
+
+
+def batches(first: int, count: int) -> Iterator[range]:
+    """Numbers of programs, each range within a batch."""
+    at, end = first, first + count
+    while at < end:
+        stop = min(end, (at // BATCH + 1) * BATCH)
+        yield range(at, stop)
+        at = stop
+
+
+def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) -> list[Finding]:
+    """Play a batch. style: instead of the programs' own, if not empty. most: findings of one
+    cause that are judged and made short; the others are counted."""
+    programs = [program(seed, number) for number in numbers]
+    styles = [*dict.fromkeys((NONE, style or programs[0].style))]
+    lanes = {each: Lane(each, programs[0].flags) for each in (PLAIN, *styles)}
+    suspects: list[tuple[int, str, list[Difference]]] = []
+    try:
+        for lane in lanes.values():
+            lane.start()
+        for position, each in enumerate(programs):
+            for lane in lanes.values():
+                lane.ask(each.steps)
+            seen = {name: lane.answer() for name, lane in lanes.items()}
+            count.programs += 1
+            if isinstance(seen[PLAIN], str):
+                count.died.append(each.number)
+                continue
+            for name in styles:
+                count.compared[name] += 1
+                found = differences(each.steps, seen[PLAIN], seen[name], name)
+                if found:
+                    suspects.append((position, name, found))
+    finally:
+        for lane in lanes.values():
+            lane.close()
+    findings = []
+    for position, name, found in suspects:
+        why = cause(name, found)
+        count.causes[why] += 1
+        if count.causes[why] > most:
+            each = programs[position]
+            findings.append(Finding(each, name, each.steps, found, judged=False))
+            continue
+        finding = judge(programs[position], name, programs[:position])
+        if finding is None:
+            count.unsteady.append(programs[position].number)
+            continue
+        findings.append(shrink(finding))
+    return findings
+
+
+def show(finding: Finding) -> Program:
+    """The finding as a program."""
+    each = finding.program
+    return Program(each.seed, each.number, each.flags, finding.style, finding.steps)

@@ -1,0 +1,90 @@
+"""Which differences are glshim's: seen again in fresh processes, where plain is steady."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from tests.fuzz.compare import NONE, Difference, differences
+from tests.fuzz.lanes import Lane
+from tests.fuzz.program import Program
+from tests.fuzz.worker import PLAIN
+
+_FILLINGS = (0x55, 0xAA)
+"""What fresh memory holds: a program that depends on it has no one picture."""
+
+
+@dataclass
+class Finding:
+    """A program under a style, and what differs there."""
+
+    program: Program
+    style: str
+    steps: tuple[str, ...]
+    """Of the program, or fewer."""
+    found: list[Difference]
+    before: tuple[Program, ...] = ()
+    """Programs that the same process must have played before."""
+
+    judged: bool = True
+    """False: of a cause that was judged often enough already."""
+
+    @property
+    def cause(self) -> str:
+        """What groups findings."""
+        return cause(self.style, self.found)
+
+
+def cause(style: str, found: Sequence[Difference]) -> str:
+    """What groups findings: the first difference."""
+    return f"{'none' if style == NONE else 'a style'}: {found[0].what}"
+
+
+class Pair:
+    """A process without glshim and one with a style: plays in both."""
+
+    def __init__(self, style: str, flags: str) -> None:
+        self.plain = Lane(PLAIN, flags, _FILLINGS[0])
+        self.again = Lane(PLAIN, flags, _FILLINGS[1])
+        self.styled = Lane(style, flags)
+        self.style = style
+
+    def differences(self, steps: Sequence[str]) -> list[Difference]:
+        """None where plain itself dies or differs from play to play."""
+        for lane in (self.plain, self.styled):
+            lane.ask(steps)
+        plain, styled = self.plain.answer(), self.styled.answer()
+        found = differences(steps, plain, styled, self.style)
+        if not found:
+            return []
+        again = self.again.play(steps)
+        if isinstance(again, str) or differences(steps, plain, again, NONE):
+            return []
+        return found
+
+    def close(self) -> None:
+        """End the processes."""
+        for lane in (self.plain, self.again, self.styled):
+            lane.close()
+
+
+def judge(program: Program, style: str, before: Sequence[Program]) -> Finding | None:
+    """Whether a difference is there again. before: what the same processes had played."""
+    pair = Pair(style, program.flags)
+    try:
+        found = pair.differences(program.steps)
+        if found:
+            return Finding(program, style, program.steps, found)
+    finally:
+        pair.close()
+    if not before:
+        return None
+    pair = Pair(style, program.flags)
+    try:
+        for earlier in before:
+            for lane in (pair.plain, pair.again, pair.styled):
+                lane.play(earlier.steps)
+        found = pair.differences(program.steps)
+        return Finding(program, style, program.steps, found, tuple(before)) if found else None
+    finally:
+        pair.close()

@@ -1,0 +1,88 @@
+"""Worker processes: one is told programs, gives what was seen, and is replaced when it dies."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import select
+import signal
+import subprocess
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+
+from tests.fuzz.stage import Note
+
+SECONDS = 40.0
+"""A program takes some tens of milliseconds; on a busy machine, with its first shaders, seconds."""
+_ENVIRONMENT = {
+    "LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0",
+    "XDG_SESSION_TYPE": "x11",
+}  # fmt: skip
+
+
+class Lane:
+    """A process that plays programs in one style."""
+
+    def __init__(self, style: str, flags: str, perturb: int = 0) -> None:
+        """perturb: what fresh memory is filled with."""
+        self.style, self.flags = style, flags
+        self._environment = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM_")}
+        self._environment |= _ENVIRONMENT
+        if perturb:
+            self._environment["MALLOC_PERTURB_"] = str(perturb)
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def start(self) -> subprocess.Popen[bytes]:
+        """The process; it need not be waited for."""
+        if self._process is None:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "tests.fuzz.worker", self.style, self.flags],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=self._environment,
+            )  # fmt: skip
+        return self._process
+
+    def ask(self, steps: Sequence[str]) -> None:
+        """Begin to play; :meth:`answer` must follow."""
+        process = self.start()
+        assert process.stdin is not None
+        with suppress(BrokenPipeError):
+            pickle.dump(tuple(steps), process.stdin)
+            process.stdin.flush()
+
+    def answer(self) -> list[Note] | str:
+        """What was seen, or how the process died."""
+        process = self.start()
+        assert process.stdout is not None
+        ready, _, _ = select.select([process.stdout], [], [], SECONDS)
+        if not ready:
+            process.kill()
+            self.close()
+            return "hangs"
+        try:
+            notes: list[Note] = pickle.load(process.stdout)
+            return notes
+        except (EOFError, pickle.UnpicklingError):
+            status = process.wait()
+            self.close()
+            return f"dies of {signal.Signals(-status).name}" if status < 0 else f"exits {status}"
+
+    def play(self, steps: Sequence[str]) -> list[Note] | str:
+        """Both."""
+        self.ask(steps)
+        return self.answer()
+
+    def close(self) -> None:
+        """End the process."""
+        process, self._process = self._process, None
+        if process is not None:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            with suppress(BrokenPipeError):
+                process.stdin.close()
+            process.stdout.close()
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
