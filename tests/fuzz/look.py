@@ -21,9 +21,10 @@ UNITS, ATTRIBUTES, NAMES = 4, 16, 8
 """Texture units, generic attributes and names of objects that are looked at."""
 _LEFT_OUT = (
     "TIMESTAMP", "READ_FORMAT", "READ_TYPE", "NUM_EXTENSIONS", "FRAMEBUFFER_DEFAULT",
-    "CONTEXT_FLAGS", "DEBUG_LOGGED", "DEBUG_NEXT",
+    "CONTEXT_FLAGS", "DEBUG_LOGGED", "DEBUG_NEXT", "CURRENT_PROGRAM",
 )  # fmt: skip
-"""Values that depend on the moment, that need a complete framebuffer, or that say who debugs."""
+"""Values that depend on the moment, that need a complete framebuffer, or that say who debugs. Programs
+and shaders have other names below PyOpenGL: programs ask for those themselves."""
 _MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_COLOR_MATRIX")
 _OF_A_UNIT = ("TEXTURE_MATRIX", "CURRENT_RASTER_TEXTURE", "TEXTURE_COORD", "TEXTURE_BINDING")
 """Errors, where more units have images than have coordinates: asked unit by unit."""
@@ -108,7 +109,7 @@ _TEXTURE = ("MAG_FILTER", "MIN_FILTER", "WRAP_S", "WRAP_T", "WRAP_R", "BASE_LEVE
 _LEVEL = ("WIDTH", "HEIGHT", "DEPTH", "INTERNAL_FORMAT", "SAMPLES")
 _ENV = {"MODE": 1, "COLOR": 4}
 _COMBINE = ("COMBINE_RGB", "COMBINE_ALPHA", "SRC0_RGB", "SRC1_RGB", "OPERAND0_RGB", "RGB_SCALE")
-_OBJECTS = ("Texture", "Buffer", "Framebuffer", "Renderbuffer", "Program", "Shader", "Query",
+_OBJECTS = ("Texture", "Buffer", "Framebuffer", "Renderbuffer", "Query",
             "Sampler", "VertexArray", "TransformFeedback", "ProgramPipeline", "List")  # fmt: skip
 
 
@@ -184,22 +185,6 @@ def _objects() -> Iterator[Row]:
             yield Row(f"framebuffer {name} {what}", "glGetNamedFramebufferAttachmentParameteriv",
                       (name, _gl(what), GL.GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE), 4,
                       guard=is_framebuffer)  # fmt: skip
-        is_program = ("glIsProgram", name)
-        for what in (
-            "LINK_STATUS",
-            "ATTACHED_SHADERS",
-            "ACTIVE_UNIFORMS",
-            "ACTIVE_ATTRIBUTES",
-            "DELETE_STATUS",
-        ):
-            yield Row(
-                f"program {name} {what}", "glGetProgramiv", (name, _gl(what)), 4, guard=is_program
-            )
-        is_shader = ("glIsShader", name)
-        for what in ("COMPILE_STATUS", "SHADER_TYPE", "DELETE_STATUS", "SHADER_SOURCE_LENGTH"):
-            yield Row(
-                f"shader {name} {what}", "glGetShaderiv", (name, _gl(what)), 4, guard=is_shader
-            )
 
 
 def _unit_rows() -> Iterator[Row]:
