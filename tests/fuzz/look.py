@@ -23,8 +23,8 @@ _LEFT_OUT = (
     "TIMESTAMP", "READ_FORMAT", "READ_TYPE", "NUM_EXTENSIONS", "FRAMEBUFFER_DEFAULT",
     "CONTEXT_FLAGS", "DEBUG_LOGGED", "DEBUG_NEXT", "CURRENT_PROGRAM",
 )  # fmt: skip
-"""Values that depend on the moment, that need a complete framebuffer, or that say who debugs. Programs
-and shaders have other names below PyOpenGL: programs ask for those themselves."""
+"""Values that depend on the moment, that need a complete framebuffer, or that say who debugs.
+Programs and shaders have other names below PyOpenGL: programs ask for those themselves."""
 _MATRICES = ("GL_MODELVIEW_MATRIX", "GL_PROJECTION_MATRIX", "GL_COLOR_MATRIX")
 _OF_A_UNIT = ("TEXTURE_MATRIX", "CURRENT_RASTER_TEXTURE", "TEXTURE_COORD", "TEXTURE_BINDING")
 """Errors, where more units have images than have coordinates: asked unit by unit."""
@@ -290,12 +290,10 @@ class Eyes:
         self._buffer[at : at + 8] = value.to_bytes(8, "little")
 
     def look(self, place: Callable[[int], int]) -> dict[str, bytes]:
-        """By part of the state. Inside a primitive nothing can be asked. place: what is told of an
-        address, which is another in each process."""
-        number = ctypes.c_int(-7)
+        """By part of the state. Not inside a primitive: nothing can be asked there. place: what is
+        told of an address, which is another in each process."""
+        number = ctypes.c_int(-1)
         driver.glGetIntegerv(GL.GL_LIST_INDEX, ctypes.addressof(number))
-        if number.value == -7:
-            return {}
         found = {"state": self._ask("state", place)}
         if number.value:  # what selects a unit would be compiled
             return found
@@ -314,6 +312,13 @@ class Eyes:
 
 
 PARTS = {"state": ROWS, "unit": UNIT_ROWS, "client": CLIENT_ROWS}
+
+
+def inside() -> bool:
+    """Whether a primitive is open: then glGet* fails."""
+    number = ctypes.c_int(-1)
+    driver.glGetIntegerv(GL.GL_LIST_INDEX, ctypes.addressof(number))
+    return number.value < 0
 
 
 def explain(part: str, one: bytes, other: bytes) -> Iterator[tuple[str, str, str]]:

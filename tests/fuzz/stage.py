@@ -6,7 +6,6 @@ import ctypes
 import signal
 import threading
 from collections.abc import Iterable
-from contextlib import suppress
 from functools import lru_cache
 from types import CodeType
 from typing import Any, ClassVar, NamedTuple
@@ -17,7 +16,7 @@ from OpenGL import GL, GLU
 from OpenGL.raw.GL import _errors
 
 from tests.fuzz import things
-from tests.fuzz.look import Eyes
+from tests.fuzz.look import Eyes, inside
 from tests.fuzz.pictures import Pictures
 from tests.fuzz.told import raised, told
 
@@ -92,6 +91,7 @@ class Stage:
     def use(self, window: Window | None) -> None:
         """Make it current in the calling thread, unless it is in another."""
         here = threading.get_ident()
+        self._outside()
         if window is not None and (
             window not in self._windows or window.holder not in (None, here)
         ):
@@ -105,6 +105,7 @@ class Stage:
 
     def destroy(self, window: Window) -> None:
         """The window, with its context."""
+        self._outside()
         if window not in self._windows or window.holder not in (None, threading.get_ident()):
             raise RuntimeError("not to be had")
         self._windows.remove(window)
@@ -112,6 +113,7 @@ class Stage:
 
     def swap(self, observed: bool = True) -> None:
         """Present the current window. observed: what there is to see before and after is noted."""
+        self._outside()
         if observed:
             self.look("before", "BACK")
         glfw.swap_buffers(self._current().handle)
@@ -121,6 +123,7 @@ class Stage:
     def look(self, when: str = "then", *buffers: str) -> None:
         """Note the state, and the picture in these buffers."""
         eyes = self.eyes[self._current().kind]
+        self._outside()
         seen = eyes.look(self._memory.place)
         if buffers:
             seen |= self.pictures.read(buffers, WIDTH, HEIGHT)
@@ -136,6 +139,12 @@ class Stage:
         found = self._heard[:]
         self._heard.clear()
         return found
+
+    def _outside(self) -> None:
+        """What is done to windows inside a primitive is undefined."""
+        here = threading.get_ident()
+        if any(window.holder == here for window in self._windows) and inside():
+            raise RuntimeError("inside a primitive")
 
     def _current(self) -> Window:
         here = threading.get_ident()
@@ -172,10 +181,9 @@ class Stage:
 
     def _close(self) -> None:
         if self.other.started:
-            self.other(lambda: self.use(None))
+            self.other(lambda: glfw.make_context_current(None))
         for window in self._windows[::-1]:
-            with suppress(RuntimeError):
-                self.destroy(window)
+            glfw.destroy_window(window.handle)
         glfw.make_context_current(None)
         self.space.clear()
 
