@@ -10,6 +10,7 @@ import re
 import traceback
 from collections.abc import Callable
 from functools import wraps
+from importlib import import_module
 from typing import Any
 
 from glshim.notices import say_once
@@ -65,8 +66,7 @@ def advice(error: BaseException) -> str:
     found = _FROM.search(line)
     module = found[1] if found else (_MODULE.findall(line) or [error.name])[0]
     names = re.findall(r"(\w+)(?: as \w+)?", found[2]) if found else _NAME.findall(str(error))
-    from glshim import __all__ as public
-
+    public = import_module("glshim").__all__
     if names and all(name in public for name in names):
         return f": write from glshim import {', '.join(names)}"
     old = max((one for one in MODULES if f"{module}.".startswith(f"{one}.")), key=len, default="")
