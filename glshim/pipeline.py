@@ -21,11 +21,17 @@ from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
 from glshim.outputs.output import WINDOW, Destination, Given, Output
 from glshim.sources.fixed.lights import light
+from glshim.sources.following.census import Census
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, say_unstyled
+from glshim.sources.following.silence import Silence
+from glshim.spec.ask import reals
+from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.styling.enlarging import enlarged
-from glshim.styling.protocol import Layer, Pass, Styler
+from glshim.styling.options import options_of
+from glshim.styling.protocol import Colour, Layer, Pass, Styler
+from glshim.system.ending import at_end
 from glshim.toolkits import Part, frames
 
 BINDING: Binding = PYOPENGL
@@ -67,6 +73,7 @@ class Pipeline:
         self.counted = Counted()
         """The frame so far; whole when the listeners of later stages are called."""
         self._follower = Follower(BINDING.stream, self)
+        self._silence = Silence(self._follower.census)
         self._broken = False
         self._listener: frames.Listener | None = None
         self._next: tuple[Styler | None] | None = None
@@ -126,6 +133,7 @@ class Pipeline:
         """A layer's depth is final: the styler says what to add, the outputs add it."""
         if self._enlarged is None:
             return
+        self._silence.layer_ends()
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
             finished.lighting, self._destination.scale,
@@ -143,6 +151,9 @@ class Pipeline:
         self.counted.draws += sum(map(_count, given))
         if not given:
             return
+        if self.styler is not None and self._silence.wants_colours:
+            cleared = reals(GL_COLOR_CLEAR_VALUE, 4)
+            self._silence.look_at(self.styler.name, _inks(self.styler), cleared)
         refusals = []
         for output in self._outputs:
             try:
@@ -155,6 +166,8 @@ class Pipeline:
 
     def _frame_over(self) -> None:
         """A frame was presented."""
+        if self.styler is not None:
+            self._silence.frame_ends(self.counted.draws)
         self.counted = Counted()
         for output in self._outputs:
             output.frame_ends()
@@ -162,6 +175,16 @@ class Pipeline:
             self.use_style(*self._next)
 
     # -- its end ---------------------------------------------------------------------------------
+
+    @property
+    def census(self) -> Census:
+        """What the program has drawn so far."""
+        return self._follower.census
+
+    def program_ends(self) -> None:
+        """Calls no GL: contexts may be gone."""
+        if self.styler is not None and not self._broken:
+            self._silence.program_ends()
 
     @property
     def broken(self) -> bool:
@@ -205,12 +228,22 @@ def _wanted(styler: Styler) -> Wanted:
     )
 
 
+def _inks(styler: Styler) -> dict[str, Colour]:
+    """The colours of its lines over the app's own background, by option; none where it brings one:
+    ``ink`` and ``..._ink``, ``paper`` and ``fill`` are what styles call them."""
+    if getattr(styler, "paper", "app") != "app" or not isinstance(styler.surface, str):
+        return {}
+    names = (option.name for option in options_of(type(styler)) if option.kind == "colour")
+    return {name: getattr(styler, name) for name in names if f"_{name}".endswith("_ink")}
+
+
 def _count(draw: Given) -> int:
     """Of a pass one, of lines one a batch."""
     return 1 if isinstance(draw, Pass) else sum(len(body.batches) for body in draw.bodies)
 
 
 _current: Pipeline | None = None
+_watches_end = False
 
 
 def install(style: str | Styler, *, live: bool = False) -> None:
@@ -221,7 +254,7 @@ def install(style: str | Styler, *, live: bool = False) -> None:
     while the style draws nothing, for one that comes later, by `switch` or by another call.
     Raises StyleError for a text that names no style; nothing is installed then.
     """
-    global _current
+    global _current, _watches_end
     if isinstance(style, str):
         from glshim.styling.texts import parse_style
 
@@ -233,8 +266,21 @@ def install(style: str | Styler, *, live: bool = False) -> None:
             return
         _current = Pipeline()
         _current.start()
+    if not _watches_end:
+        _watches_end = True
+        at_end(_program_ends)
     _current.live = _current.live or live
     _current.use_style(style)
+
+
+def _program_ends() -> None:
+    if _current is not None:
+        _current.program_ends()
+
+
+def census() -> Census | None:
+    """What the program has drawn so far, None where nothing is followed."""
+    return _current.census if _current is not None else None
 
 
 def switch(styler: Styler | None) -> None:

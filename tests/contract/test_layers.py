@@ -25,7 +25,9 @@ ROOMS = {
     "styling": ("system", "model", "geometry"),
     "linework": ("model", "geometry", "styling"),
     "outputs": ("system", "model", "spec", "geometry", "styling", "linework"),
-    "pipeline": ("model", "spec", "bindings", "toolkits", "sources", "styling", "outputs"),
+    "pipeline": (
+        "system", "model", "spec", "bindings", "toolkits", "sources", "styling", "outputs",
+    ),
     "control": ("system", "model", "styling", "toolkits", "outputs", "pipeline"),
     "running": (
         "system", "model", "spec", "bindings", "toolkits", "styling", "outputs", "pipeline",

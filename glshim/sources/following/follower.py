@@ -15,6 +15,7 @@ from glshim.sources.arguments import number
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices
+from glshim.sources.following.census import Census
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
@@ -75,6 +76,7 @@ class Follower:
 
     def __init__(self, stream: PrimitiveStream, sink: LayerSink) -> None:
         """Of no style yet: :meth:`restyle`. stream: the binding's."""
+        self.census = Census()
         self._sink = sink
         self._stream = stream
         self._idle = True
@@ -195,7 +197,7 @@ class Follower:
         if scene is None:
             return
         if role in POLYGON_DRAWS:
-            self._open(True, scene)
+            self._open(True, scene, args if role is Role.ARRAY_DRAW else None)
         elif role in OTHER_DRAWS:
             self._open(False, scene)
         elif role is Role.CLEAR:
@@ -218,6 +220,7 @@ class Follower:
             scene.reader.forget()
 
     def _clear(self, scene: Scene, mask: int) -> None:
+        self.census.colour_cleared |= bool(mask & GL_COLOR_BUFFER_BIT)
         if mask & _COLOR_AND_DEPTH:
             self._finish(scene)
         if mask & GL_DEPTH_BUFFER_BIT:
@@ -310,14 +313,20 @@ class Follower:
 
     # -- draws and layers ------------------------------------------------------------------------
 
-    def _open(self, polygons: bool, scene: Scene) -> None:
-        """A draw begins: the layer may end, and its polygons may carry lines."""
+    def _open(self, polygons: bool, scene: Scene, arrays: tuple[Any, ...] | None = None) -> None:
+        """A draw begins: the layer may end, and its polygons may carry lines. arrays: arguments of
+        an array draw."""
         scene.drawing = None
-        if self._idle or scene.refused or scene.unpainted or scene.fixed.lists.only_compiles:
+        refused = scene.refused or scene.unpainted
+        if refused:
+            self.census.refused.add(refused)
+        if self._idle or refused or scene.fixed.lists.only_compiles:
             return
         layer = scene.layer
-        if not polygons and not layer.pending:
-            return
+        if not polygons:
+            self.census.others += 1
+            if not layer.pending:
+                return
         state = scene.reader.read()
         compiling = scene.fixed.lists.is_open
         if layer.pending and not compiling and (layer.overdue or layer.ends_with(state)):
@@ -333,6 +342,11 @@ class Follower:
                 if state.camera.lit and layer.lighting is None:
                     layer.lighting = lighting()
                 self._sink.cover()
+            return
+        if arrays is None or number(arrays, 0) in POLYGON_MODES:
+            self.census.passed[obstacle or layer.shortfall(state)] += 1
+        else:
+            self.census.others += 1
 
     def _close(self, scene: Scene) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""
@@ -344,9 +358,12 @@ class Follower:
 
     def _add(self, scene: Scene, state: DrawState, drawn: Drawn) -> None:
         """The layer gets what was drawn, from the source that the draw is of."""
+        before = self.census.carried
         with scene.condition.lifted():
             for polygons, camera in scene.source.polygons(drawn, state):
                 scene.layer.add(state, polygons, camera)
+                self.census.carries(drawn, polygons)
+        self.census.others += self.census.carried == before
 
     def _end_layer(self, scene: Scene, *, waits: bool = False) -> None:
         """waits: what comes next leaves the depth as it is, so that it may end later, over that."""

@@ -15,6 +15,7 @@ from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 from glshim.sources.fixed.immediate import assemble_many
+from glshim.sources.following import census
 from glshim.sources.source import Polygons, Primitive
 from glshim.sources.state import DrawState
 
@@ -123,6 +124,14 @@ class LayerCollector:
             and state.fill_faces
             and not self._is_hud(state)
         )
+
+    def shortfall(self, state: DrawState) -> str:
+        """Why polygons that are drawn in this state get no lines, when they do not."""
+        if not state.depth_tested:
+            return census.NO_DEPTH_TEST
+        if not state.fill_faces:
+            return census.NOT_FILLED
+        return census.NO_DEPTH_WRITES if not state.depth_written else census.HUD
 
     def ends_with(self, state: DrawState) -> bool:
         """Whether a draw in this state no longer belongs to the current layer."""

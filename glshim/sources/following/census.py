@@ -1,0 +1,61 @@
+"""What a program draws: how much of it carries lines, and why the rest does not."""
+
+from __future__ import annotations
+
+from collections import Counter
+from enum import Enum
+
+from glshim.model.batch import PolygonBatch
+from glshim.sources.fixed.arrays import vertex_array
+from glshim.sources.fixed.immediate import assemble
+from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
+
+NO_DEPTH_TEST = "there is no depth test"
+NO_DEPTH_WRITES = "depth is not written"
+NOT_FILLED = "polygons are drawn as lines or points"
+HUD = "a flat projection lies over a picture with depth"
+
+
+class Path(Enum):
+    """How polygons come to OpenGL; the values are for people."""
+
+    IMMEDIATE = "glBegin and glEnd"
+    ARRAYS = "client arrays"
+    BUFFERS = "buffer objects"
+    LISTS = "display lists"
+    SHAPES = "shapes of C libraries and evaluators"
+
+
+class Census:
+    """Counts of draws while a style is on."""
+
+    def __init__(self) -> None:
+        self.carried = 0
+        """Draws whose polygons carry lines."""
+        self.passed: Counter[str] = Counter()
+        """Draws of polygons that carry none, by why."""
+        self.others = 0
+        """Draws of lines, points and pixels."""
+        self.colour_cleared = False
+        self.refused: set[str] = set()
+        """Why nothing can be styled in contexts of the program's."""
+        self.polygons: Counter[Path] | None = None
+        """Polygons that carry lines, by path; None: nobody asks."""
+
+    def carries(self, drawn: Drawn, polygons: Polygons) -> None:
+        """Polygons of a draw carry lines. With its state current, where paths are asked for."""
+        self.carried += 1
+        if self.polygons is not None:
+            batch = polygons if isinstance(polygons, PolygonBatch) else assemble(*polygons)
+            self.polygons[path_of(drawn)] += batch.polygon_count
+
+
+def path_of(drawn: Drawn) -> Path:
+    """The path of what was just drawn."""
+    if isinstance(drawn, Primitive):
+        return Path.IMMEDIATE
+    if isinstance(drawn, Call):
+        return Path.LISTS
+    if isinstance(drawn, ArrayDraw):
+        return Path.BUFFERS if vertex_array().buffer else Path.ARRAYS
+    return Path.SHAPES

@@ -1,0 +1,130 @@
+"""Says once why a style draws no line, and what can be done."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+
+from glshim.notices import say
+from glshim.sources.following import census
+from glshim.sources.following.census import Census
+from glshim.sources.programs.source import IN_USE
+
+FRAMES, SECONDS = 60, 2.0
+"""Without a line: after so many frames, or so long after the first, that is no accident."""
+DARK = 0.3
+"""Of the brightest channel, at most."""
+
+_TELLS_MORE = "(`glshim doctor PROGRAM` tells more)"
+_WHY = {
+    IN_USE: "it draws with shader programs of its own, and glshim follows fixed-function drawing: "
+    "see whether the program has a mode for older OpenGL",
+    census.NO_DEPTH_TEST: "its polygons are drawn without depth test, so it is not known which are "
+    "in front: see whether the program has a 3D view, or a setting for depth",
+    census.NO_DEPTH_WRITES: "its polygons do not write depth, as transparent things: make them "
+    "opaque in the program",
+    census.NOT_FILLED: "its polygons are drawn as lines or points: switch the program to a solid "
+    "view",
+    census.HUD: "its polygons are drawn flat over a picture, as texts and buttons are: lines come "
+    "on solids",
+}
+"""Reasons for which polygons pass, at length and with what to do."""
+_ONLY_LINES = (
+    "it draws only lines, points or pixels, and glshim adds lines to filled polygons: switch the "
+    "program to a solid view"
+)
+_NOTHING = (
+    "it draws nothing through PyOpenGL: what moderngl, pyglet and vispy draw by themselves is not "
+    "followed"
+)
+_NO_ADDITION = (
+    "its polygons are followed, but the style adds nothing to them: `glshim styles NAME` lists "
+    "what it can draw"
+)
+_NO_FRAME = (
+    "no end of a frame was seen, and lines are added there: the window's toolkit is none that "
+    "glshim knows (`glshim doctor` lists them)"
+)
+
+
+def reason(seen: Census) -> str:
+    """Why a program gets no line, with what to do; empty where that is said already, context by
+    context."""
+    if seen.carried:
+        return _NO_ADDITION
+    if seen.passed:
+        why, _ = seen.passed.most_common(1)[0]
+        return _WHY.get(why, f"its polygons are drawn while {why}")
+    if seen.refused:
+        return ""
+    return _ONLY_LINES if seen.others else _NOTHING
+
+
+class Silence:
+    """Watches over one run."""
+
+    def __init__(self, seen: Census) -> None:
+        self._census = seen
+        self._frames = self._layers = 0
+        self._since: float | None = None
+        self._over = False
+        """It is said, or there are lines."""
+        self._hinted = False
+
+    def layer_ends(self) -> None:
+        """Lines are added; they are seen if the end of the frame is."""
+        self._layers += 1
+        if not self._frames and not self._over and self._is_long(self._layers):
+            self._say(_NO_FRAME)
+
+    def frame_ends(self, draws: int) -> None:
+        """A frame was presented, with so many draws of a styler's."""
+        self._frames += 1
+        if self._over:
+            return
+        if draws:
+            self._over = True
+        elif self._is_long(self._frames):
+            self._say(reason(self._census))
+
+    def program_ends(self) -> None:
+        """Now or never."""
+        seen = self._census
+        if self._over:
+            return
+        if self._frames:
+            self._say(reason(seen))
+        elif seen.carried:
+            self._say(_NO_FRAME)
+        elif seen.passed or seen.others:
+            self._say(reason(seen))
+
+    @property
+    def wants_colours(self) -> bool:
+        """Whether a hint on colours may still come."""
+        return not self._hinted and self._frames < FRAMES
+
+    def look_at(
+        self, style: str, inks: Mapping[str, tuple[float, ...]], cleared: tuple[float, ...]
+    ) -> None:
+        """Lines of these colours, by the style's options, go over a picture that was cleared in
+        that one."""
+        if not self.wants_colours or not self._census.colour_cleared or not inks:
+            return
+        if max(cleared[:3]) <= DARK and max(map(max, inks.values())) <= DARK:
+            self._hinted = True
+            say(
+                "the program's background is dark, and lines as dark can hardly be seen on it: try "
+                f"{style}:{next(iter(inks))}=#ffffff, or a style that brings paper, such as sketch"
+            )
+
+    def _is_long(self, count: int) -> bool:
+        now = time.monotonic()
+        if self._since is None:
+            self._since = now
+        return count >= FRAMES or (count > 1 and now - self._since >= SECONDS)
+
+    def _say(self, why: str) -> None:
+        self._over = True
+        if why:
+            say(f"no line is drawn: {why} {_TELLS_MORE}")
