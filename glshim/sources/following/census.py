@@ -38,7 +38,7 @@ class Census:
         """Draws of lines, points and pixels."""
         self.colour_cleared = False
         self.refused: set[str] = set()
-        """Why nothing can be styled in contexts of the program's."""
+        """Why nothing can be styled in contexts of the program's, or at times; said when it was."""
         self.polygons: Counter[Path] | None = None
         """Polygons that carry lines, by path; None: nobody asks."""
 

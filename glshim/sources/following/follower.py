@@ -373,6 +373,7 @@ class Follower:
             return
         layer = scene.layer.take()
         if counted:
+            self.census.refused.add(UNCOUNTED)
             say_once(f"unstyled: {UNCOUNTED}")
         elif layer.items:
             try:

@@ -51,7 +51,7 @@ def reason(seen: Census) -> str:
     """Why a program gets no line, with what to do; empty where that is said already, context by
     context."""
     if seen.carried:
-        return _NO_ADDITION
+        return "" if seen.refused else _NO_ADDITION
     if seen.passed:
         why, _ = seen.passed.most_common(1)[0]
         return _WHY.get(why, f"its polygons are drawn while {why}")
