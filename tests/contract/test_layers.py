@@ -11,6 +11,8 @@ import pytest
 ROOT = Path(__file__).parents[2]
 LONGEST = 420
 """About 400 lines: past that a file holds two things."""
+GENERATED = ("glshim/spec/constants.py",)
+"""Lists that scripts write, and that nobody reads from top to bottom."""
 
 EVERYWHERE = ("glshim.errors", "glshim.system.interrupts", "glshim.notices")
 """Modules that every room may import."""
@@ -205,7 +207,7 @@ def test_demo_apps_are_ordinary_programs() -> None:
 @pytest.mark.parametrize("path", sources(*OURS), ids=str)
 def test_a_file_is_short_enough_to_read(path: Path) -> None:
     lines = len(path.read_text(encoding="utf-8").splitlines())
-    assert lines <= LONGEST
+    assert lines <= LONGEST or str(path.relative_to(ROOT)) in GENERATED
 
 
 def test_the_reader_of_imports_sees_every_form() -> None:

@@ -14,7 +14,7 @@ PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 SOURCES = ("glshim", "stylers", "demo_apps", "tests", "scripts", "docs")
 SUFFIXES = (".py", ".glsl", ".toml", ".md", ".html", ".css", ".pth", ".start")
 EXAMPLES = {
-    "mine.toml", "my_app.py", "my_style.py", "path/my_style.py", "out.html", "out/demo",
+    "mine.toml", "my_app.py", "my_style.py", "path/my_style.py", "out.html", "out/demo", "out/fuzz",
     "out_files/",
 }  # fmt: skip
 """What readers would make themselves."""
