@@ -12,7 +12,8 @@ from glshim.spec.shapes import Shape
 
 
 class Shapes:
-    """The shapes of one context, found again by their keys."""
+    """The shapes of one context, found again by their keys. Their polygons are the same in all; to
+    ask for them takes time, and memory that Mesa 22.3 keeps past the end of the context."""
 
     def __init__(self) -> None:
         self._kept: AgingCache[tuple[PolygonBatch | None]] = AgingCache()

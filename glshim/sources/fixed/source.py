@@ -44,12 +44,15 @@ class FixedFunction:
     written it follows whether anything is drawn or not. Into a list goes all that can be known
     (`WHOLE`), for the styles under which it is called."""
 
-    def __init__(self, stream: PrimitiveStream, wanted: Wanted) -> None:
+    def __init__(
+        self, stream: PrimitiveStream, wanted: Wanted, shapes: Shapes | None = None
+    ) -> None:
+        """shapes: that are known already."""
         self.lists = ListCompiler(stream, wanted)
         self.fetch = VertexFetch()
         self._stream = stream
         self._wanted = wanted
-        self._shapes = Shapes()
+        self.shapes = shapes or Shapes()
         self._primitive = OpenPrimitive(stream)
 
     def restyle(self, wanted: Wanted) -> None:
@@ -58,7 +61,7 @@ class FixedFunction:
 
     def tick(self) -> None:
         """A frame has passed."""
-        self._shapes.tick()
+        self.shapes.tick()
         self.fetch.tick()
 
     # -- what is followed ------------------------------------------------------------------------
@@ -183,12 +186,12 @@ class FixedFunction:
         if shape.camera_bound and shape.key is not None:
             view = (camera.modelview.tobytes(), camera.projection.tobytes(), camera.viewport)
             shape = replace(shape, key=(shape.key, view))
-        return self._shapes.polygons(shape)
+        return self.shapes.polygons(shape)
 
     def _called(self, call: Call, camera: Camera) -> Iterable[tuple[PolygonBatch, Camera]]:
         for name in call.names:
             found = self.lists.book.polygons(
-                name, integer(GL_MATRIX_MODE), self._shapes.polygons, current_context()
+                name, integer(GL_MATRIX_MODE), self.shapes.polygons, current_context()
             )
             if found.relative is not None:
                 yield found.relative, camera

@@ -9,6 +9,7 @@ from glshim.bindings.base import PrimitiveStream
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
 from glshim.sources import arguments
+from glshim.sources.fixed.shapes import Shapes
 from glshim.sources.fixed.source import FixedFunction
 from glshim.sources.following.condition import Condition
 from glshim.sources.following.layers import LayerCollector
@@ -28,8 +29,10 @@ _FRAMES_BETWEEN_LOOKS = 256
 class Scene:
     """The book-keeping of one context. Make it while that context is current."""
 
-    def __init__(self, stream: PrimitiveStream, wanted: Wanted = POSITIONS) -> None:
-        """wanted: what batches shall come with."""
+    def __init__(
+        self, stream: PrimitiveStream, wanted: Wanted = POSITIONS, shapes: Shapes | None = None
+    ) -> None:
+        """wanted: what batches shall come with. shapes: that are known already."""
         self.refused = shortcoming()
         """Why nothing can be styled here; empty when it can."""
         self.unpainted = ""
@@ -37,7 +40,7 @@ class Scene:
         followed all the same, for another one."""
         self.reader = StateReader(lighting=wanted.lights)
         self.layer = LayerCollector(wanted)
-        self.fixed = FixedFunction(stream, wanted)
+        self.fixed = FixedFunction(stream, wanted, shapes)
         self.sources: tuple[Source, ...] = (self.fixed, Programs())
         """In the order in which they are asked."""
         self.source: Source = self.fixed
@@ -102,6 +105,8 @@ class Scenes:
         self._ended = ended
         self._wanted = wanted
         self._by_context: dict[int, Scene] = {}
+        self._shapes: Shapes | None = None
+        """That a context left which is gone: the next one is likely to draw the same."""
         self._frames = 0
         self._conditions_in_lists = False
 
@@ -113,7 +118,8 @@ class Scenes:
         scene = self._by_context.get(handle)
         if scene is None:
             self._look_around(handle)
-            scene = self._by_context[handle] = Scene(self._stream, self._wanted)
+            scene = self._by_context[handle] = Scene(self._stream, self._wanted, self._shapes)
+            self._shapes = None
             if self._conditions_in_lists:
                 scene.condition.lose()
             if scene.refused:
@@ -135,7 +141,7 @@ class Scenes:
                 self._forget(handle)
 
     def _forget(self, handle: int) -> None:
-        del self._by_context[handle]
+        self._shapes = self._by_context.pop(handle).fixed.shapes
         self._ended(handle)
 
     def condition_called(self, scene: Scene, role: Role, args: tuple[Any, ...]) -> None:
