@@ -17,7 +17,7 @@ from typing import Any
 from glshim.spec.driver import address, current_context
 
 Witness = Callable[[], bool]
-"""False once a context is gone; True while it is there, and where nobody can tell."""
+"""False once a context is gone, for sure; its handle may be another one's then."""
 
 _EGL_CONTEXT_CLIENT_TYPE = 0x3097
 
@@ -43,10 +43,14 @@ def _glx(handle: int) -> Witness | None:
 
     def is_there() -> bool:
         current = server.current()
-        if not current or current == handle or server.name() != name:
+        if not current:
             return True
+        if current == handle:  # which may be another one's by now
+            return bool(server.number(current) == number)
         # Numbers of a connection that is closed may be given to the next one.
-        return server.number(current) != number and server.knows(number)
+        return server.name() != name or (
+            server.number(current) != number and server.knows(number)
+        )
 
     return is_there if server.knows(number) else None
 
@@ -101,7 +105,8 @@ class _Cookie(ctypes.Structure):
 def _egl(handle: int) -> Witness | None:
     """EGL looks handles up before it believes in them."""
     library, pointer = _loaded("libEGL.so.1"), ctypes.c_void_p
-    if _function(library.eglGetCurrentContext, pointer)() != handle:
+    current = _function(library.eglGetCurrentContext, pointer)
+    if current() != handle:
         return None
     display = _function(library.eglGetCurrentDisplay, pointer)()
     query = _function(
@@ -109,6 +114,8 @@ def _egl(handle: int) -> Witness | None:
     )
 
     def is_there() -> bool:
+        if current() == handle:
+            return True
         value = ctypes.c_int()
         arguments = display, handle, _EGL_CONTEXT_CLIENT_TYPE, ctypes.addressof(value)
         return bool(_in_a_thread(lambda: query(*arguments)))

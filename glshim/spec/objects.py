@@ -136,6 +136,8 @@ class Space:
     """Programs of ours that are empty yet, with a driver that gives the least free name."""
     programs: Programs | None = None
     """With one that counts upwards."""
+    left: dict[Kind, set[int]] = field(default_factory=dict)
+    """By contexts that are gone: objects of ours that others share."""
 
     def given(self, kind: Kind, number: int) -> list[int]:
         """The names that the program would be given without us."""
@@ -220,10 +222,25 @@ floors: dict[Kind, int] = {}
 _far, _off = count(_FAR), count(_OFF)
 _spare: dict[tuple[Kind, bool], list[int]] = {}
 """Of ours, names of objects that have been deleted."""
+_made_in: dict[int, dict[Kind, set[int]]] = {}
+"""What there is of ours, by the handle of the context that it was made in."""
+_SHARED = (TEXTURE, BUFFER, RENDERBUFFER, PROGRAM)
+_MOST_DESERTED = 8
+"""Spaces without contexts that are kept: one of them may still be met that shares with them."""
 
 
 def made(kind: Kind) -> int:
     """The name of a new object, empty. Outside primitives and lists."""
+    name = _made(kind)
+    _note(kind, name)
+    return name
+
+
+def _note(kind: Kind, name: int) -> None:
+    _made_in.setdefault(current_context(), {}).setdefault(kind, set()).add(name)
+
+
+def _made(kind: Kind) -> int:
     if not has_fixed_function():  # nothing of ours stays in a core profile
         return kind.generate(1)[0]
     if not kind.is_free:
@@ -242,9 +259,37 @@ def delete(kind: Kind, names: Iterable[int]) -> None:
     """Delete objects that were `made`."""
     listed = [name for name in names if name]
     kind.delete(listed)
+    _made_in.get(current_context(), {}).get(kind, set()).difference_update(listed)
     for name in listed:
-        if name >= _OFF:
+        if name >= _OFF and kind is not PROGRAM:
             _spare.setdefault((kind, name >= _FAR), []).append(name)
+
+
+def context_ended(handle: int) -> None:
+    """A context is gone. Its objects are, too, but for those that others share: they go by
+    `tidy`. Calls no GL."""
+    made_there = _made_in.pop(handle, {})
+    for each in [each for each in _spaces if handle in each.contexts]:
+        each.contexts.discard(handle)
+        for kind in _SHARED:
+            each.left.setdefault(kind, set()).update(made_there.get(kind, ()))
+    deserted = [each for each in _spaces if not each.contexts]
+    for each in deserted[:-_MOST_DESERTED]:
+        _spaces.remove(each)
+
+
+def tidy() -> None:
+    """Delete what contexts have left that shared with the current one. Outside primitives and
+    lists."""
+    if not any(each.left for each in _spaces):
+        return
+    here = space()
+    if here is not None:
+        for kind, names in here.left.items():
+            delete(kind, names)
+        here.left = {}
+        if here.programs is not None:
+            here.programs.ours = set(filter(PROGRAM.is_there, here.programs.ours))
 
 
 def is_late(name: int) -> bool:
@@ -255,6 +300,12 @@ def is_late(name: int) -> bool:
 def made_program() -> int:
     """The name of a new program. Its shaders are to be detached when it is linked: they may have
     any names until then."""
+    name = _made_program()
+    _note(PROGRAM, name)
+    return name
+
+
+def _made_program() -> int:
     here = _space(PROGRAM)
     if here.programs is not None:
         name = int(gl.glCreateProgram())
@@ -337,9 +388,13 @@ def _delete_buffers(number: int, address: int) -> None:
     delete(BUFFER, (ctypes.c_uint * number).from_address(address))
 
 
+def _delete_program(name: int) -> None:
+    delete(PROGRAM, (name,))
+
+
 _OWN: dict[str, Callable[..., Any]] = {
     "glGenBuffers": _make_buffers, "glDeleteBuffers": _delete_buffers,
-    "glCreateProgram": made_program,
+    "glCreateProgram": made_program, "glDeleteProgram": _delete_program,
 }  # fmt: skip
 
 

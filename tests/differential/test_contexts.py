@@ -6,6 +6,7 @@ import gc
 import subprocess
 import sys
 import textwrap
+from typing import Any
 
 import glfw
 import moderngl
@@ -15,6 +16,7 @@ from OpenGL import GL
 from glshim.outputs.gl.backend import Backend
 from glshim.sources.following import scene
 from glshim.sources.following.scene import Scene
+from glshim.spec import objects
 from glshim.spec.driver import current_context
 
 from .scenes_lists import recorded
@@ -91,6 +93,27 @@ def test_what_is_known_of_dead_contexts_goes(monkeypatch: pytest.MonkeyPatch) ->
             monkeypatch.setattr(scene, "_FRAMES_BETWEEN_LOOKS", 1)
             glfw.swap_buffers(first)
             assert known() <= before
+
+
+def test_what_dead_contexts_shared_is_deleted() -> None:
+    """Objects live on in the contexts that share with a dead one."""
+
+    def ours() -> int:
+        kinds = objects.TEXTURE, objects.BUFFER, objects.RENDERBUFFER, objects.PROGRAM
+        names = [n for first in (1, objects._OFF, objects._FAR) for n in range(first, first + 2000)]
+        return sum(kind.is_there(name) for kind in kinds for name in names)
+
+    def child(root: Any) -> int:
+        app = App()
+        with window(share=root):
+            prepare()
+            cube()
+            assert inked(observe(app)) > 100
+            return ours()
+
+    with styled(VISIBLE), window() as root:
+        counts = [child(root) for _ in range(5)]
+    assert counts[1:] == counts[:1] * 4
 
 
 def test_a_context_that_others_came_after_is_still_known() -> None:

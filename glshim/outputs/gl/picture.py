@@ -9,6 +9,7 @@ from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.output import Context, Destination, Given, Output
 from glshim.spec.driver import current_context
+from glshim.spec.objects import context_ended, tidy
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
 
@@ -37,6 +38,7 @@ class Picture(Output):
     ) -> None:
         faces = [one for one in given if isinstance(one, BackFaces)]
         others = [one for one in given if not isinstance(one, BackFaces)]
+        tidy()
         if faces:
             context.mark()
             self._fixed.render(faces)
@@ -45,6 +47,7 @@ class Picture(Output):
 
     def forget(self, handle: int) -> None:
         self._cover.forget(handle)
+        context_ended(handle)
         _, backend = self._backends.pop(handle, (None, None))
         if backend is not None:
             backend.abandon()

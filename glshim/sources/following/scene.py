@@ -81,9 +81,9 @@ class Scene:
     @property
     def stale(self) -> bool:
         """Whether the current context is another one, at the address of the one that was."""
-        if not self._marker:
-            return False
-        return not FRAMEBUFFER.is_there(self._marker)
+        if not self._is_there():
+            return True
+        return bool(self._marker) and not FRAMEBUFFER.is_there(self._marker)
 
     @property
     def gone(self) -> bool:

@@ -18,7 +18,7 @@ from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
 from glshim.spec.context import MODERN, OLDEST, version
 from glshim.spec.driver import gl
-from glshim.spec.objects import made_program
+from glshim.spec.objects import PROGRAM, delete, made_program
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""
@@ -139,7 +139,7 @@ class _Bare:
 
     def release(self) -> None:
         """Delete it. In its context."""
-        gl.glDeleteProgram(self.glo)
+        delete(PROGRAM, (self.glo,))
 
     def _words(self) -> str:
         """What the driver says about it and its shaders."""
