@@ -118,7 +118,7 @@ class Toolkit:
 
     def leave(self) -> bool:
         """Ask the app's main loop to return once the callback that is running has: where
-        exceptions get no further than there. False where no loop runs. In the main thread."""
+        exceptions get no further than there. False where no loop of this thread's can be asked."""
         return False
 
     def window_is_there(self) -> None:

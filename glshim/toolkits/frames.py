@@ -320,7 +320,7 @@ def _leave(drawable: Drawable) -> None:
         _exit_raised = True
         raise SystemExit(0)
     with suppress(Exception):
-        _loop_asked = in_main_thread and drawable.leave()
+        _loop_asked = drawable.leave()
     if not _loop_asked:
         exit_now()
 

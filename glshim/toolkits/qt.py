@@ -1,5 +1,7 @@
-"""Qt, the same in PyQt and PySide: a widget's picture is finished when its `paintGL` returns; a
-program that swaps by itself says so. Keys come by an event filter on the application."""
+"""Qt, the same in PyQt and PySide: a widget's picture is finished when its `paintGL` returns, an
+item's of QML when `render` does; a program that swaps by itself says so. What is drawn under or
+over a scene of QML ends where the program gives OpenGL back to Qt. Keys come by an event filter on
+the application."""
 
 from __future__ import annotations
 
@@ -10,15 +12,20 @@ import threading
 import weakref
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from dataclasses import replace
 from types import FunctionType
 from typing import Any, ClassVar
 
+from glshim.spec.ask import integer
+from glshim.spec.constants import GL_DRAW_FRAMEBUFFER_BINDING
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
 from glshim.toolkits.frames import Drawable, Size
 from glshim.toolkits.moment import MOMENT, Moment
 
 _PAINTED, _SWAPPED = "the return of paintGL", "swapBuffers"
+_RENDERED = "the return of render (QQuickFramebufferObject)"
+_GIVEN_BACK = "endExternalCommands (QQuickWindow), in Qt 5 resetOpenGLState"
 # Qt's enumerators, the same in all versions and bindings.
 _KEYS = {
     **{0x0100002F + n: f"F{n}" for n in range(1, 13)},
@@ -33,7 +40,9 @@ KEY_PRESS, KEY_RELEASE, SHORTCUT_OVERRIDE = 6, 7, 51
 """QEvent::Type; the last, which asks whether a shortcut of the app's may have a key, comes before
 the key itself."""
 
-_TESTED = {"PyQt5": "PyQt5 5.15.11 on X"}
+_TESTED = {
+    "PyQt5": "PyQt5 5.15.11 on X", "PyQt6": "PyQt6 6.11 on X", "PySide6": "PySide6 6.12 on X",
+}  # fmt: skip
 
 
 class Qt(Toolkit):
@@ -46,9 +55,10 @@ class Qt(Toolkit):
         super().__init__(moment)
         self.name = self.package = package
         self.tested = _TESTED.get(package, "")
-        self._painting = False
-        self._classes: weakref.WeakSet[Any] = weakref.WeakSet()
-        """Those whose `paintGL` is ours."""
+        self._painting: set[int] = set()
+        """Threads in which something is painted: QML has one of its own."""
+        self._classes: weakref.WeakKeyDictionary[Any, str] = weakref.WeakKeyDictionary()
+        """Those whose method of that name is ours."""
         self._widgets: weakref.WeakSet[Any] = weakref.WeakSet()
         """What has painted or swapped, and may be asked to do so again."""
         self._core: Any = None
@@ -63,18 +73,28 @@ class Qt(Toolkit):
         ):  # fmt: skip
             put = functools.partial(self.hook_painting, names)
             yield Hook(Part.FRAMES, f"{self.package}.{module}", put, _PAINTED)
+        quick = f"{self.package}.QtQuick"
+        yield Hook(Part.FRAMES, quick, self.hook_items, _RENDERED)
+        yield Hook(Part.FRAMES, quick, self.hook_scenes, _GIVEN_BACK)
         for module, name in (("QtGui", "QOpenGLContext"), ("QtOpenGL", "QGLWidget")):
             swaps = functools.partial(self.hook_swaps, name)
             yield Hook(Part.FRAMES, f"{self.package}.{module}", swaps, _SWAPPED)
         yield Hook(Part.KEYS, f"{self.package}.QtCore", self.hook_keys, "an event filter")
 
     def size(self, widget: Any) -> Size:
+        target = getattr(widget, "framebufferObject", None)
+        if target is not None:
+            size = target().size()
+            return size.width(), size.height()
         ratio = widget.devicePixelRatio()
         return round(widget.width() * ratio), round(widget.height() * ratio)
 
     def framebuffer(self, widget: Any) -> int:
         own = getattr(widget, "defaultFramebufferObject", None)
-        return int(own()) if own is not None else 0
+        if own is not None:
+            return int(own())
+        target = getattr(widget, "framebufferObject", None)
+        return int(target().handle()) if target is not None else 0
 
     def drawable(self, widget: Any = None) -> Drawable:
         with suppress(TypeError):  # not all that swaps can be referred to weakly
@@ -82,23 +102,37 @@ class Qt(Toolkit):
         return super().drawable(widget)
 
     def redraw(self) -> None:
-        """Have every widget or window that has painted do so again."""
+        """Have every widget or window that has painted do so again. From any thread."""
         for widget in list(self._widgets):
-            ask = getattr(widget, "update", None) or getattr(widget, "requestUpdate", None)
+            name = "update" if hasattr(widget, "update") else "requestUpdate"
             with suppress(Exception):  # its C++ half may be gone
-                if ask is not None:
-                    ask()
+                if threading.current_thread() is threading.main_thread():
+                    getattr(widget, name)()
+                else:
+                    self._later(widget, name)
 
     def leave(self) -> bool:
         """`exec` returns 0. No window is asked whether it may be closed; each is hidden as if it
-        had been, since programs are used to that: some crash when Qt does it at the very end."""
+        had been, since programs are used to that: some crash when Qt does it at the very end. Qt
+        does all that when it likes: QML's thread may wait for Python meanwhile."""
         core = sys.modules.get(f"{self.package}.QtCore")
         app = core.QCoreApplication.instance() if core is not None else None
-        if core is None or app is None or not core.QThread.currentThread().loopLevel():
+        if core is None or app is None:
             return False
-        app.aboutToQuit.connect(functools.partial(_hide_windows, app))
-        app.exit(0)
+        in_main_thread = threading.current_thread() is threading.main_thread()
+        if in_main_thread and not core.QThread.currentThread().loopLevel():
+            return False
+        for window in app.topLevelWindows():
+            self._later(window, "hide")
+        self._later(app, "quit")
         return True
+
+    def _later(self, target: Any, slot: str) -> None:
+        """Have Qt call a slot from its main loop."""
+        core = sys.modules[f"{self.package}.QtCore"]
+        kinds = getattr(core.Qt, "ConnectionType", core.Qt)
+        later = getattr(kinds, "QueuedConnection", None) or core.Qt.QueuedConnection
+        core.QMetaObject.invokeMethod(target, slot, later)
 
     # -- frame ends ------------------------------------------------------------------------------
 
@@ -108,7 +142,44 @@ class Qt(Toolkit):
         for name in names:
             base = getattr(module, name, None)
             if base is not None:
-                self._follow_subclasses(base, changes)
+                self._follow_subclasses(base, "paintGL", changes)
+
+    def hook_items(self, module: Any, changes: Changes) -> None:
+        """`render` of renderers of QML's items, which paint into framebuffer objects."""
+        item = getattr(module, "QQuickFramebufferObject", None)
+        if item is not None:
+            self._follow_subclasses(item.Renderer, "render", changes)
+
+    def hook_scenes(self, module: Any, changes: Changes) -> None:
+        """What is drawn into a window of QML, between or beside what Qt draws."""
+        base, lent = module.QQuickWindow, set[int]()
+
+        def giving_back(name: str, plain: Callable[..., Any]) -> Callable[..., Any]:
+            @functools.wraps(plain, assigned=("__name__", "__qualname__"), updated=())
+            def give_back(window: Any) -> Any:
+                thread = threading.get_ident()
+                if name == "endExternalCommands":
+                    lent.discard(thread)
+                if thread not in lent and frames.listening():
+                    bound = integer(GL_DRAW_FRAMEBUFFER_BINDING)
+                    on = replace(self.drawable(window), framebuffer=lambda: bound)
+                    return frames.present(plain, window, on=on)
+                return plain(window)
+
+            return give_back
+
+        def lending(begin: Callable[..., Any]) -> Callable[..., Any]:
+            def lend(window: Any) -> Any:
+                lent.add(threading.get_ident())  # until endExternalCommands
+                return begin(window)
+
+            return lend
+
+        if hasattr(base, "beginExternalCommands"):  # from Qt 5.14 on
+            changes.set(base, "beginExternalCommands", lending(base.beginExternalCommands))
+        for name in ("endExternalCommands", "resetOpenGLState"):
+            if hasattr(base, name):
+                changes.set(base, name, giving_back(name, getattr(base, name)))
 
     def hook_swaps(self, name: str, module: Any, changes: Changes) -> None:
         """The module's class of that name swaps by a method."""
@@ -116,46 +187,47 @@ class Qt(Toolkit):
         if base is not None:
             changes.set(base, "swapBuffers", self._swapping(base.swapBuffers))
 
-    def _follow_subclasses(self, base: Any, changes: Changes) -> None:
+    def _follow_subclasses(self, base: Any, method: str, changes: Changes) -> None:
         def follow(cls: Any, /, **named: Any) -> None:
             super(base, cls).__init_subclass__(**named)
-            self._follow_painting(cls)
+            self._follow_painting(cls, method)
 
         changes.set(base, "__init_subclass__", classmethod(follow))
         changes.add(self._unfollow)
         waiting = base.__subclasses__()
         while waiting:
             cls = waiting.pop()
-            self._follow_painting(cls)
+            self._follow_painting(cls, method)
             waiting += cls.__subclasses__()
 
-    def _follow_painting(self, cls: Any) -> None:
-        """The class's own `paintGL`, or one that it has from a class that is no widget."""
-        plain = inspect.getattr_static(cls, "paintGL", None)
+    def _follow_painting(self, cls: Any, method: str) -> None:
+        """The class's own method, or one that it has from a class that is no widget."""
+        plain = inspect.getattr_static(cls, method, None)
         if isinstance(plain, FunctionType) and not hasattr(plain, "glshim_plain"):
-            inherited = "paintGL" not in vars(cls)
-            cls.paintGL = self._painted(plain)
-            cls.paintGL.glshim_inherited = inherited
-            self._classes.add(cls)
+            ours: Any = self._painted(plain)
+            ours.glshim_inherited = method not in vars(cls)
+            setattr(cls, method, ours)
+            self._classes[cls] = method
 
     def _unfollow(self) -> None:
-        for cls in list(self._classes):
-            ours = vars(cls).get("paintGL")
+        for cls, method in list(self._classes.items()):
+            ours = vars(cls).get(method)
             if hasattr(ours, "glshim_plain"):
                 if ours.glshim_inherited:
-                    del cls.paintGL
+                    delattr(cls, method)
                 else:
-                    cls.paintGL = ours.glshim_plain
+                    setattr(cls, method, ours.glshim_plain)
         self._classes.clear()
 
     def _painted(self, plain: Callable[..., Any]) -> Callable[..., Any]:
         @functools.wraps(plain)
         def paint(widget: Any, *arguments: Any, **named: Any) -> Any:
             # One paintGL may call another: one frame.
-            if self._painting or not frames.listening():
+            thread = threading.get_ident()
+            if thread in self._painting or not frames.listening():
                 return plain(widget, *arguments, **named)
             before = frames.presented()
-            self._painting = True
+            self._painting.add(thread)
             try:
                 with frames.drawing(self.drawable(widget)):
                     result = plain(widget, *arguments, **named)
@@ -163,7 +235,7 @@ class Qt(Toolkit):
                         frames.present(_shown_by_qt)
                     return result
             finally:
-                self._painting = False
+                self._painting.discard(thread)
 
         paint.glshim_plain = plain  # type: ignore[attr-defined]
         return paint
@@ -203,11 +275,6 @@ class Qt(Toolkit):
 
 def _shown_by_qt() -> None:
     """Qt puts the widget's picture on the screen after `paintGL`, when it likes."""
-
-
-def _hide_windows(app: Any) -> None:
-    for window in app.topLevelWindows():
-        window.hide()
 
 
 def _filter_class(module: Any) -> Callable[[], Any]:

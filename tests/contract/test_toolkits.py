@@ -300,18 +300,15 @@ def test_a_method_is_not_asked_for_its_docstring(log: list[str]) -> None:
 @pytest.mark.parametrize("depth", [0, 1])
 def test_a_qt_program_leaves_by_its_main_loop(monkeypatch: pytest.MonkeyPatch, depth: int) -> None:
     log: list[Any] = []
-    app = SimpleNamespace(
-        exit=log.append, aboutToQuit=SimpleNamespace(connect=log.append),
-        topLevelWindows=lambda: [SimpleNamespace(hide=lambda: log.append("hidden"))])
+    app = SimpleNamespace(topLevelWindows=lambda: ["window"])
     core = SimpleNamespace(
+        Qt=SimpleNamespace(QueuedConnection=2),
+        QMetaObject=SimpleNamespace(invokeMethod=lambda *call: log.append(call)),
         QCoreApplication=SimpleNamespace(instance=lambda: app),
         QThread=SimpleNamespace(currentThread=lambda: SimpleNamespace(loopLevel=lambda: depth)))
     monkeypatch.setitem(sys.modules, "PySide6.QtCore", core)
     assert Qt("PySide6").drawable(Widget()).leave() is bool(depth)
-    if depth:
-        hide, status = log
-        hide()
-        assert (status, log[2:]) == (0, ["hidden"])
+    assert log == [("window", "hide", 2), (app, "quit", 2)][: 2 * depth]
 
 
 def test_wx(log: list[str]) -> None:

@@ -93,7 +93,68 @@ class QtRig(Rig):
         return self.asked
 
 
+class QmlRig(QtRig):
+    """A scene under a window's items, or (item) one of an item's own."""
+
+    def __init__(self, binding: str, *, item: bool) -> None:
+        super().__init__(binding)
+        self.item, self.shows_by_itself = item, item
+        self.framebuffer = 7 if item else 0
+        rig = self
+
+        class Target:
+            def size(self) -> Any:
+                return SimpleNamespace(width=lambda: SIZE[0], height=lambda: SIZE[1])
+
+            def handle(self) -> int:
+                return 7
+
+        class Renderer:
+            def framebufferObject(self) -> Any:
+                return Target()
+
+            def update(self) -> None:
+                rig.asked += 1
+
+        class Window(self.widget_class):  # type: ignore[misc, name-defined]
+            def beginExternalCommands(self) -> None:
+                """What follows is the app's."""
+
+            def resetOpenGLState(self) -> None:
+                """In between: no end."""
+
+            def endExternalCommands(self) -> int:
+                return rig.shown()
+
+        self.modules[f"{binding}.QtQuick"] = SimpleNamespace(
+            QQuickFramebufferObject=SimpleNamespace(Renderer=Renderer), QQuickWindow=Window)
+        self.renderer_class: Any = Renderer
+        self.window_class: Any = Window
+
+    def take(self) -> None:
+        if self.item:
+            rig = self
+
+            class App(self.renderer_class):  # type: ignore[misc]
+                def render(self) -> int:
+                    return rig.shown()
+
+            self.renderer_class = App
+
+    def open(self) -> None:
+        self.window = (self.renderer_class if self.item else self.window_class)()
+
+    def present(self) -> Any:
+        if self.item:
+            return self.window.render()
+        self.window.beginExternalCommands()
+        self.window.resetOpenGLState()
+        return self.window.endExternalCommands()
+
+
 RIGS: dict[str, Callable[[], Rig]] = {
+    "PyQt5, QML window": functools.partial(QmlRig, "PyQt5", item=False),
+    "PySide6, QML item": functools.partial(QmlRig, "PySide6", item=True),
     **{f"{binding}, painting": functools.partial(QtRig, binding) for binding in QtRig.MODULES},
     **{f"{binding}, swapping": functools.partial(QtRig, binding, swaps=True)
        for binding in QtRig.MODULES},
