@@ -9,11 +9,11 @@ says what to draw of a layer, and the output finds its lines and draws them.
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from glshim import toolkits
-from glshim.bindings.base import Binding
+from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.errors import RenderError
 from glshim.model.batch import Wanted
@@ -82,7 +82,7 @@ class Pipeline:
 
     def start(self) -> None:
         """Follow the program from now on."""
-        BINDING.attach(self._follower)
+        BINDING.attach(_first(self._follower))
         self._listener = frames.listen(
             frames.Stage.DRAW, before=self._follower.finish_frame, after=self._frame_over
         )
@@ -181,6 +181,10 @@ class Pipeline:
         """What the program has drawn so far."""
         return self._follower.census
 
+    def silent_because(self) -> str:
+        """Why no line is drawn, if none was, with what to do."""
+        return self._silence.because()
+
     def program_ends(self) -> None:
         """Calls no GL: contexts may be gone."""
         if self.styler is not None and not self._broken:
@@ -244,6 +248,8 @@ def _count(draw: Given) -> int:
 
 _current: Pipeline | None = None
 _watches_end = False
+_first: Callable[[Watcher], Watcher] = lambda watcher: watcher  # noqa: E731
+"""Who hears what the binding tells, before the follower does."""
 
 
 def install(style: str | Styler, *, live: bool = False) -> None:
@@ -281,6 +287,18 @@ def _program_ends() -> None:
 def census() -> Census | None:
     """What the program has drawn so far, None where nothing is followed."""
     return _current.census if _current is not None else None
+
+
+def hear_first(maker: Callable[[Watcher], Watcher]) -> None:
+    """Put a watcher before the follower of the next pipeline; it is given that one, and tells it
+    everything."""
+    global _first
+    _first = maker
+
+
+def silent_because() -> str:
+    """Why no line is drawn, if none was, with what to do; empty where there is nothing to say."""
+    return _current.silent_because() if _current is not None else ""
 
 
 def switch(styler: Styler | None) -> None:

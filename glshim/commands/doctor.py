@@ -1,4 +1,4 @@
-"""``glshim doctor``: what is here, what glshim will do with it, and what will not work."""
+"""``glshim doctor``: what is here and what will not work, or what is seen of one program."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import ClassVar
 
 from glshim import toolkits
+from glshim.commands import doctor_program as program
 from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import environment, launch, probe, startup_cost
@@ -35,10 +36,11 @@ _UNTESTED = "untested: nobody of ours could run it, so look before you rely on i
 
 
 class Doctor(Command):
-    """Exit status: 0, or 1 where something will not work here."""
+    """Exit status: 0, or 1 where something will not work here, or a program is not restyled."""
 
     name: ClassVar[str] = "doctor"
-    help: ClassVar[str] = "say what is here and what will not work"
+    help: ClassVar[str] = "say what is here and what will not work, or what a program does"
+    usage: ClassVar[str | None] = "glshim doctor [options] [SCRIPT | -m MODULE] [ARGS...]"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
@@ -47,10 +49,13 @@ class Doctor(Command):
         parser.add_argument(
             "--startup-cost", action="store_true", help="measure what glshim adds to Python's start"
         )
+        program.add_arguments(parser)
 
     def run(self, asked: argparse.Namespace) -> int:
         if asked.startup_cost:
             return print_startup_cost()
+        if program.is_asked_for(asked):
+            return program.examine(asked)
         return print_report(headless=asked.headless)
 
 

@@ -24,8 +24,11 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from glshim.control.live import Controls
+    from glshim.running.examination.inside import Examination
     from glshim.running.shots.shooter import Shot
 
+REPORT = "GLSHIM_REPORT"
+"""`glshim.running.examination.findings.VARIABLE`, which is not loaded but then."""
 SHOT = "GLSHIM_SHOT"
 """`glshim.running.shots.plan.VARIABLE`, which is not loaded but then."""
 NO_STYLE = "none"
@@ -43,8 +46,11 @@ def begin(folder: str) -> None:
         say("no frames are written in a setuid or setgid program")
         settings = replace(settings, capture=None)
     shot = _shot() if SHOT in os.environ and not has_elevated_rights() else None
+    examination = _examination() if REPORT in os.environ and not has_elevated_rights() else None
     if settings.style is not None or settings.live is not None:
         _install(settings.style or NO_STYLE, folder, live=settings.live is not None)
+    if examination is not None:
+        examination.installed()
     if shot is not None:
         shot.begin()
     if settings.capture is not None:
@@ -72,6 +78,14 @@ def _picture() -> Image | None:
     return grab(
         size, frames.drawable_framebuffer(), frames.drawable_buffer(), frames.drawable_texture()
     )
+
+
+def _examination() -> Examination:
+    from glshim.running.examination.inside import Examination
+
+    examination = Examination(os.environ[REPORT])
+    examination.begin()
+    return examination
 
 
 def _shot() -> Shot | None:

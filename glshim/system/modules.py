@@ -117,7 +117,8 @@ def _strangers() -> "Iterator[str]":
         spec = _look(name, _path)
         if spec is not None and spec.origin != origin:
             yield name
-            for below, each in list(sys.modules.items()) if folders else ():
+            held = list(sys.modules.items()) if folders and name not in OURS else ()
+            for below, each in held:
                 if below.startswith(name + ".") and _origin(each).startswith(tuple(folders)):
                     yield below
 
@@ -180,7 +181,8 @@ class Finder:
         if module is None:
             return None
         spec = _look(name, sys.path, target)
-        if spec is not None and spec.origin == getattr(module.__spec__, "origin", None):
+        # An editable install of ours is found by another file than its own.
+        if spec is not None and spec.origin in (_origin(module), getattr(module, "__file__", "")):
             return _known(module, _Given(module))
         if spec is not None:
             _make_way(name, is_package=spec.submodule_search_locations is not None)

@@ -61,6 +61,12 @@ def write_html(path: Path, text: str) -> None:
     _replace(picture_target(path, PAGES), lambda file: file.write(content))
 
 
+def write_text(path: Path, text: str, begin: bytes) -> None:
+    """Write a text that begins so, in place of one of before. Raises OSError."""
+    content = text.encode("utf-8")
+    _replace(picture_target(path, (begin,)), lambda file: file.write(content))
+
+
 def add_picture(path: Path, picture: Image) -> None:
     """Write a PNG to a new file. Raises FileExistsError where anything is there already, OSError
     where it cannot be written."""

@@ -133,6 +133,7 @@ class Toolkit:
             self.may_raise,
             functools.partial(self.framebuffer, window),
             self.leave,
+            owner=self.name,
         )
 
     # -- for all of them -------------------------------------------------------------------------

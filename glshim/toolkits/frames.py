@@ -80,6 +80,8 @@ class Drawable:
     """What is looked at in place of a framebuffer."""
     is_shown: bool = True
     """By a toolkit; else the app reads it back."""
+    owner: str = ""
+    """The toolkit's name; empty where there is none."""
 
 
 UNKNOWN = Drawable(lambda: None, is_shown=False)
@@ -281,6 +283,13 @@ def drawable_buffer() -> int:
 def drawable_texture() -> TextureImage | None:
     """The texture that the app reads its picture from, if it does."""
     return _drawable.texture
+
+
+def drawable_owner() -> str:
+    """The name of the toolkit that presents it, or how it ends without one."""
+    if _drawable.owner:
+        return _drawable.owner
+    return "glFlush or glFinish" if _drawable is UNKNOWN else "pictures that are read back"
 
 
 def buffering(double: bool | None) -> None:

@@ -195,3 +195,19 @@ def test_a_style_file_may_import_what_lies_in_the_programs_folder(tmp_path: Path
     done = run(sys.executable, tmp_path, DRAW + "draw()", GLSHIM_STYLE="mine.py:Mine")
     assert done.returncode == 0 and "the style adds nothing" in done.stderr
     assert done.stdout == "(1.0, 0.0, 0.0) Queue\n" * 2
+
+
+def test_glshim_found_in_another_way_is_the_same(tmp_path: Path) -> None:
+    (tmp_path / "glshim").symlink_to(ROOT / "glshim")  # another file, by its name
+    code = (
+        "import sys; before = sys.modules['glshim.system.modules']\n"
+        "import glshim, OpenGL.GL\nfrom glshim.styling import registry\n"
+        "assert registry.OURS_ALONE is before.OURS_ALONE\n"
+        "assert registry.load('crease').name == 'crease'"
+    )
+    for folder in (tmp_path, ROOT):
+        done = subprocess.run(
+            [sys.executable, "-c", code], cwd=folder, env={**os.environ, "GLSHIM_STYLE": "crease"},
+            capture_output=True, text=True, timeout=60, check=False,
+        )  # fmt: skip
+        assert (done.returncode, done.stderr) == (0, "")

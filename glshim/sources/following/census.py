@@ -23,7 +23,8 @@ class Path(Enum):
     ARRAYS = "client arrays"
     BUFFERS = "buffer objects"
     LISTS = "display lists"
-    SHAPES = "shapes of C libraries and evaluators"
+    SHAPES = "shapes of C libraries"
+    """And evaluated grids."""
 
 
 class Census:
@@ -34,6 +35,8 @@ class Census:
         """Draws whose polygons carry lines."""
         self.passed: Counter[str] = Counter()
         """Draws of polygons that carry none, by why."""
+        self.latest = ""
+        """Why the draw of polygons that came last carries none."""
         self.others = 0
         """Draws of lines, points and pixels."""
         self.colour_cleared = False
@@ -41,6 +44,22 @@ class Census:
         """Why nothing can be styled in contexts of the program's, or at times; said when it was."""
         self.polygons: Counter[Path] | None = None
         """Polygons that carry lines, by path; None: nobody asks."""
+
+    def count_polygons(self) -> None:
+        """By path, from now on: a primitive is made polygons for that."""
+        self.polygons = Counter()
+
+    def passes(self, why: str) -> None:
+        """A draw of polygons carries none."""
+        self.passed[why] += 1
+        self.latest = why
+
+    def drew_no_polygons(self) -> None:
+        """The draw that is over was taken for one of polygons."""
+        if self.latest:
+            self.passed -= Counter({self.latest: 1})
+            self.latest = ""
+        self.others += 1
 
     def carries(self, drawn: Drawn, polygons: Polygons) -> None:
         """Polygons of a draw carry lines. With its state current, where paths are asked for."""

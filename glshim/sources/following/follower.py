@@ -295,6 +295,7 @@ class Follower:
     def before_shape(self, name: str) -> None:
         """GLU, GLUT or GLE is about to draw."""
         scene = self._scenes.current()
+        self.census.latest = ""
         if scene is not None:
             self._open(True, scene)
 
@@ -305,6 +306,8 @@ class Follower:
         if scene is None:
             return
         state = self._close(scene)
+        if shape is None and not self._idle:
+            self.census.drew_no_polygons()
         if scene.refused or shape is None:
             return
         scene.fixed.lists.add(shape)
@@ -344,7 +347,7 @@ class Follower:
                 self._sink.cover()
             return
         if arrays is None or number(arrays, 0) in POLYGON_MODES:
-            self.census.passed[obstacle or layer.shortfall(state)] += 1
+            self.census.passes(obstacle or layer.shortfall(state))
         else:
             self.census.others += 1
 

@@ -69,6 +69,7 @@ class Silence:
         self._since: float | None = None
         self._over = False
         """It is said, or there are lines."""
+        self._lines = False
         self._hinted = False
 
     def layer_ends(self) -> None:
@@ -80,24 +81,25 @@ class Silence:
     def frame_ends(self, draws: int) -> None:
         """A frame was presented, with so many draws of a styler's."""
         self._frames += 1
-        if self._over:
-            return
         if draws:
-            self._over = True
-        elif self._is_long(self._frames):
+            self._lines = self._over = True
+        elif not self._over and self._is_long(self._frames):
             self._say(reason(self._census))
 
     def program_ends(self) -> None:
         """Now or never."""
+        if not self._over:
+            self._say(self.because())
+
+    def because(self) -> str:
+        """Why there is no line so far, with what to do; empty where there is one, or where nothing
+        was to be expected."""
         seen = self._census
-        if self._over:
-            return
-        if self._frames:
-            self._say(reason(seen))
-        elif seen.carried:
-            self._say(_NO_FRAME)
-        elif seen.passed or seen.others:
-            self._say(reason(seen))
+        if self._lines:
+            return ""
+        if not self._frames and seen.carried:
+            return _NO_FRAME
+        return reason(seen) if self._frames or seen.passed or seen.others else ""
 
     @property
     def wants_colours(self) -> bool:
