@@ -11,7 +11,7 @@ from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
 from glshim.errors import GlshimError, StyleError
 from glshim.notices import say, say_fault
-from glshim.running import environment, stillness
+from glshim.running import environment, rest, stillness
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
 from glshim.system.modules import OURS_ALONE
@@ -155,6 +155,9 @@ class FrameLimit:
     def install(self) -> None:
         """Count from now on."""
         frames.listen(Stage.COUNT, after=self._count)
+        if stillness.VARIABLE not in os.environ:  # which looks after that by itself
+            frames.want_more(True)
+            rest.watch(frames.begun, asks=True)
 
     def _count(self) -> None:
         self._left -= 1

@@ -108,7 +108,7 @@ def _strangers() -> "Iterator[str]":
     for name, module in list(sys.modules.items()):
         if "." in name or name in _SHARED or name in sys.builtin_module_names:
             continue
-        folders, origin = list(getattr(module, "__path__", ())), _origin(module)
+        folders, origin = list(getattr(module, "__path__", None) or ()), _origin(module)
         folder = os.path.dirname(origin)
         if origin in _AT_HAND or (os.path.dirname(folder) if folders else folder) in _path:
             continue

@@ -7,6 +7,7 @@ folder, so that a new toolkit is a new file and nothing else.
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from functools import cache
 from importlib import import_module
 
@@ -14,8 +15,9 @@ from glshim.system.interrupts import Held
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Part, Toolkit
 
-__all__ = ["Part", "Toolkit", "frames", "keyboard", "known", "redraw", "release", "used", "watch",
-           "watch_package", "window_is_there"]  # fmt: skip
+__all__ = ["Part", "Toolkit", "frames", "keyboard", "known", "leave", "redraw",
+           "redraw_from_a_thread", "release", "used", "watch", "watch_package",
+           "window_is_there"]  # fmt: skip
 
 
 @cache
@@ -75,3 +77,20 @@ def redraw() -> None:
         for toolkit in used():
             if toolkit.is_hooked(Part.KEYS):
                 toolkit.redraw()
+
+
+def redraw_from_a_thread() -> None:
+    """The same, where it can be asked from another thread than the program's; whether or not keys
+    are watched."""
+    for toolkit in used():
+        if toolkit.is_hooked(Part.FRAMES) and toolkit.hears_threads:
+            with suppress(Exception):
+                toolkit.redraw()
+
+
+def leave() -> bool:
+    """Ask the main loop that runs to return; False where none can be asked. From any thread."""
+    return any(
+        toolkit.leave() for toolkit in used()
+        if toolkit.is_hooked(Part.FRAMES) and toolkit.hears_threads
+    )

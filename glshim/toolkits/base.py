@@ -94,6 +94,8 @@ class Toolkit:
     """What installers call it, where that is not the package's name."""
     may_raise: bool = True
     """Whether an exception that leaves its present call gets through to the app's main loop."""
+    hears_threads: bool = False
+    """Whether `redraw` and `leave` may be called in any thread."""
     lacks: ClassVar[Lacks] = MappingProxyType({})
     tested: str = ""
     """What glshim was tried with, for people: ``PySDL2 0.9.17 on X``. Empty where nobody of ours

@@ -101,6 +101,9 @@ _shown = False
 _read: Drawable | None = None
 """What was last read back, where that may be all that becomes of the frame."""
 _double_buffered: bool | None = None
+_wanted = False
+RESTS, ASKED_AGAIN = 1.0, 0.05
+"""Seconds without a frame after which a program rests, and where it shows none but when asked."""
 
 
 def listen(
@@ -261,6 +264,11 @@ def presented() -> int:
     return _presented
 
 
+def begun() -> int:
+    """Frames presented or read back so far: the last of those may be one that is to be shown."""
+    return _presented + (_read is not None)
+
+
 def drawable_size() -> Size | None:
     """The size of what is being presented, None where the toolkit did not say."""
     with suppress(Exception):
@@ -302,6 +310,31 @@ def buffering(double: bool | None) -> None:
 def window_is_double_buffered() -> bool | None:
     """What was said of it; None: the driver knows."""
     return _double_buffered
+
+
+def want_more(wanted: bool) -> None:
+    """Whether frames are wanted that a program may not show by itself."""
+    global _wanted
+    _wanted = wanted
+
+
+def more_are_wanted() -> bool:
+    """Whether a program that rests is to be asked for another frame."""
+    return _wanted and not leaving()
+
+
+def leaving() -> bool:
+    """Whether the program is about to end."""
+    return _leaving or _loop_asked
+
+
+def leave_now(leave: Callable[[], bool]) -> None:
+    """End a program that rests, from any thread: by its main loop where that can be asked."""
+    global _loop_asked
+    with suppress(Exception):
+        _loop_asked = leave()
+    if not _loop_asked:
+        exit_now()
 
 
 def end_program() -> None:

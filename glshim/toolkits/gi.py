@@ -45,6 +45,7 @@ class Gtk(Toolkit):
     name, package, distribution = "GTK", "gi", "PyGObject"
     tested = "GTK 3.24 and 4.8 on X"
     may_raise = False
+    hears_threads = True
     lacks: ClassVar[Lacks] = {Part.CLOCK: "GLib's timeouts and GTK's frame clock run on"}
 
     def __init__(self, moment: Moment = MOMENT) -> None:
@@ -79,18 +80,19 @@ class Gtk(Toolkit):
                 glib.idle_add(area.queue_render)
 
     def leave(self) -> bool:
-        """The loop that runs: GTK 3's own, an application's, or one of GLib's."""
+        """The loop that runs: GTK 3's own, an application's, or one of GLib's. From any thread."""
+        glib, gio = sys.modules.get(_GLIB), sys.modules.get(_GIO)
         level = getattr(self._gtk, "main_level", None)
-        if level is not None and level():
-            self._gtk.main_quit()
-            return True
-        gio = sys.modules.get(_GIO)
         app = gio.Application.get_default() if gio is not None else None
-        if app is not None:
-            app.quit()
-        elif self._loops:
-            self._loops[-1].quit()
-        return app is not None or bool(self._loops)
+        if level is not None and level():
+            end = self._gtk.main_quit
+        elif app is not None or self._loops:
+            end = app.quit if app is not None else self._loops[-1].quit
+        else:
+            return False
+        if glib is not None:
+            glib.idle_add(end)
+        return glib is not None
 
     # -- frame ends ------------------------------------------------------------------------------
 

@@ -29,6 +29,7 @@ class Glfw(Toolkit):
     """It swaps any window, and wakes programs that wait for events by an empty one."""
 
     name = package = "glfw"
+    hears_threads = True
     tested = "glfw 2.11 on X"
 
     def hooks(self) -> Iterable[Hook]:
@@ -39,6 +40,7 @@ class Glfw(Toolkit):
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
         self._library: Any = None
+        self._has_shown = False
         self._callbacks: dict[int, Any] = {}
         """The app's key callbacks, by window."""
         self._ours: list[Any] = []
@@ -50,7 +52,7 @@ class Glfw(Toolkit):
         return width.value, height.value
 
     def redraw(self) -> None:
-        if self._callbacks:
+        if self._callbacks or self._has_shown:  # else there may be no glfw yet, or no more
             self._library.glfwPostEmptyEvent()
 
     def hook_swaps(self, module: Any, changes: Changes) -> None:
@@ -61,6 +63,7 @@ class Glfw(Toolkit):
         def swap_buffers(window: Any) -> Any:
             if not frames.listening():
                 return plain(window)
+            self._has_shown = True
             with _current(library, window):
                 return frames.present(plain, window, on=self.drawable(window))
 

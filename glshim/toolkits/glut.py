@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import functools
 from collections.abc import Callable, Iterable
 from typing import Any
@@ -29,6 +30,9 @@ QUIET = 40
 """Rounds without a new picture after which a program stands still."""
 
 
+_TIMER = ctypes.CFUNCTYPE(None, ctypes.c_int)
+
+
 class Glut(Toolkit):
     """It calls back from C: an exception would be printed there and the loop go on."""
 
@@ -43,6 +47,10 @@ class Glut(Toolkit):
         self._module: Any = None
         self._callbacks: dict[tuple[int, str], Any] = {}
         """Of ours, by window and kind: C holds them, so they stay."""
+        self._timer: Any = None
+        self._timers: list[Any] = []
+        """C holds them."""
+        self._pause = frames.RESTS
         self._starts: list[Callable[[], None]] = []
         """What gives a window callbacks of ours where the app asks for no keys."""
 
@@ -104,6 +112,27 @@ class Glut(Toolkit):
             callback()
             if frames.presented() == before and not _library().glutGet(GLUT_WINDOW_DOUBLEBUFFER):
                 frames.present(_shown_already)
+        if frames.more_are_wanted():
+            self._ask_later()
+
+    def _ask_later(self) -> None:
+        """Have the window drawn again, where it rests: GLUT cannot be asked from another thread."""
+        library = _library()
+        self._windows.add(library.glutGetWindow())
+        if self._timer is None:
+            shown = frames.presented()
+
+            def due(_value: int) -> None:
+                # One that shows frames by itself is left more time than one that waits to be asked.
+                rested, self._timer = frames.presented() == shown, None
+                self._pause = frames.ASKED_AGAIN if rested else frames.RESTS
+                if rested:
+                    self.redraw()
+
+            self._timer = _TIMER(due)
+            self._timers.append(self._timer)
+            del self._timers[:-2]  # the one that runs now may be the last
+            library.glutTimerFunc(round(self._pause * 1000), self._timer, 0)
 
     # -- keys ------------------------------------------------------------------------------------
 

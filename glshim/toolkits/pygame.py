@@ -25,6 +25,7 @@ class Pygame(Toolkit):
     VIDEOEXPOSE, for programs that draw when there is an event."""
 
     name = package = "pygame"
+    hears_threads = True
     tested = "pygame 2.6 on X"
 
     def hooks(self) -> Iterable[Hook]:
@@ -35,7 +36,6 @@ class Pygame(Toolkit):
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
         self._display: Any = None
-        self._expose: Callable[[], None] = lambda: None
 
     def size(self, window: Any) -> Size:
         width, height = self._display.get_window_size()
@@ -43,7 +43,8 @@ class Pygame(Toolkit):
 
     def redraw(self) -> None:
         with suppress(Exception):  # a full queue, no display
-            self._expose()
+            event: Any = sys.modules["pygame.event"]
+            event.post(event.Event(sys.modules["pygame.constants"].VIDEOEXPOSE))
 
     def hook_presents(self, module: Any, changes: Changes) -> None:
         self._display = module
@@ -67,8 +68,6 @@ class Pygame(Toolkit):
         names = {getattr(constants, f"K_{name}"): name for name in keyboard.NAMES[:12]}
         names |= {ord(name.lower()): name for name in keyboard.NAMES if len(name) == 1}
         names |= {getattr(constants, f"K_{name.upper()}"): name for name in keyboard.SPECIAL}
-        post, event_of = module.post, module.Event
-        self._expose = lambda: post(event_of(constants.VIDEOEXPOSE))
 
         def ours(event: Any) -> bool:
             if event.type == constants.KEYUP:

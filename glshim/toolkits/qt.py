@@ -49,6 +49,7 @@ class Qt(Toolkit):
     """One binding. Qt calls back from C++: PyQt aborts on an exception."""
 
     may_raise = False
+    hears_threads = True
     lacks: ClassVar[Lacks] = {Part.CLOCK: "QTimer, QElapsedTimer and animations run on"}
 
     def __init__(self, package: str, moment: Moment = MOMENT) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import sys
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -39,6 +40,7 @@ class Sdl2(Toolkit):
     that says that a window is exposed."""
 
     name, package, distribution = "SDL2", "sdl2", "PySDL2"
+    hears_threads = True
     tested = "PySDL2 0.9.17 on X"
 
     def __init__(self, moment: Moment = MOMENT) -> None:
@@ -66,10 +68,11 @@ class Sdl2(Toolkit):
             if not self._video.SDL_GetWindowFromID(number):  # it is gone
                 self._windows.discard(number)
                 continue
-            event = self._events.SDL_Event()
+            events: Any = sys.modules["sdl2.events"]
+            event = events.SDL_Event()
             event.type = WINDOW_EVENT
             event.window.windowID, event.window.event = number, EXPOSED
-            self._events.SDL_PushEvent(ctypes.byref(event))
+            events.SDL_PushEvent(ctypes.byref(event))
 
     # -- frame ends ------------------------------------------------------------------------------
 

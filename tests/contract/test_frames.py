@@ -200,6 +200,32 @@ def test_glut(tmp_path: Path, mode: str, show: str) -> None:
     assert pictures(tmp_path) == RED_RISING
 
 
+RESTING = {
+    "GLUT": glut("GLUT_DOUBLE", "taken_early()").replace("    glutPostRedisplay()", "    pass"),
+    "glfw": """
+import glfw
+glfw.init()
+window = glfw.create_window(120, 80, "app", None, None)
+glfw.make_context_current(window)
+from OpenGL.GL import *
+for drawn in range(1, 9):
+    glClearColor(drawn / 5, 0, 0, 1)
+    glClear(GL_COLOR_BUFFER_BIT)
+    glfw.swap_buffers(window)
+    glfw.wait_events_timeout(30 if drawn > 2 else 0.01)
+""",
+}
+
+
+@pytest.mark.parametrize("program", RESTING.values(), ids=RESTING)
+def test_a_program_that_rests_is_asked_for_the_frames_that_are_left(
+    tmp_path: Path, program: str
+) -> None:
+    done = run(program, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="%03d.png")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert pictures(tmp_path) == RED_RISING
+
+
 def test_a_swap_in_the_display_callback_is_one_frame_not_two(tmp_path: Path) -> None:
     program = glut("GLUT_DOUBLE", "glFlush(); taken_early(); glFinish()")
     done = run(program, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="%03d.png")
@@ -222,7 +248,7 @@ def test_a_context_of_another_platform_than_pyopengl_was_told(
         "glfw.init()",
         "glfw.init(); glfw.window_hint(glfw.CONTEXT_CREATION_API, "
         f"glfw.{'NATIVE' if platform == 'egl' else 'EGL'}_CONTEXT_API)")
-    done = run(program, tmp_path, PYOPENGL_PLATFORM=platform, GLSHIM_STYLE="raskar",
+    done = run(program, tmp_path, PYOPENGL_PLATFORM=platform, GLSHIM_STYLE="none",
                GLSHIM_FRAMES="4", GLSHIM_CAPTURE="%d.png")  # fmt: skip
     assert (done.returncode, done.stdout, done.stderr) == (0, "finally 1\n", "")
     assert pictures(tmp_path) == [((100, 80), (255, 0, 0)), ((60, 50), (0, 255, 0))] * 2

@@ -89,7 +89,7 @@ def program(each: str, before: str = "", frames: int = 9, visible: bool = False)
     ("each", "before"),
     [
         ("read(); read(GL_DEPTH_COMPONENT, GL_FLOAT); glFinish()", ""),
-        ("read(GL_DEPTH_COMPONENT, GL_FLOAT); read()", "target(0)"),
+        ("read(GL_DEPTH_COMPONENT, GL_FLOAT); read()", ""),
         ("glFinish(); read()", "target(0)"),
         ("glFinish()", "target(4)"),
         ("glGetTexImage(GL_TEXTURE_2D, 0, GL_RGB, GL_UNSIGNED_BYTE)", TEXTURE),
