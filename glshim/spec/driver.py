@@ -14,7 +14,7 @@ from typing import Any
 
 from glshim.spec.signatures import SIGNATURES
 
-_LETTERS: dict[str, Any] = {
+LETTERS: dict[str, Any] = {
     "i": ctypes.c_int,
     "u": ctypes.c_uint,
     "f": ctypes.c_float,
@@ -52,7 +52,7 @@ def prototype(name: str) -> Any:
         raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
     arguments, _, result = signature.partition(">")
     return ctypes.CFUNCTYPE(
-        _LETTERS[result] if result else None, *(_LETTERS[letter] for letter in arguments)
+        LETTERS[result] if result else None, *(LETTERS[letter] for letter in arguments)
     )
 
 

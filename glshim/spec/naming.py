@@ -67,7 +67,7 @@ ROWS = (
     Row(TEXTURE, Naming.CREATES, 1, r"glCreateTextures"),
     Row(TEXTURE, Naming.MEETS, 1, r"glBindTexture(EXT)?"),
     Row(TEXTURE, Naming.MEETS, 2, r"glBindMultiTextureEXT"),
-    Row(TEXTURE, Naming.MEETS, 0, r"gl(Get)?(Compressed|Copy)?Texture\w+EXT"),
+    Row(TEXTURE, Naming.MEETS, 0, r"gl(Get)?(Compressed|Copy)?Texture(?!Light|Material|Normal)\w+EXT"),
     Row(TEXTURE, Naming.MEETS, 0, r"glGenerateTextureMipmapEXT"),
     Row(BUFFER, Naming.GENERATES, 0, r"glGenBuffers(ARB)?"),
     Row(BUFFER, Naming.CREATES, 0, r"glCreateBuffers"),
@@ -75,7 +75,7 @@ ROWS = (
     Row(BUFFER, Naming.MEETS, 1, r"glVertexArray\w+OffsetEXT"),
     Row(BUFFER, Naming.MEETS, 2, r"glBindBuffer(Base|Range|Offset)(EXT|NV)?"),
     Row(BUFFER, Naming.MEETS, 2, r"glVertexArray(BindVertexBufferEXT|VertexBuffer)"),
-    Row(BUFFER, Naming.MEETS, 0, r"gl(Clear|Get|Map|Unmap)?Named(Copy)?Buffer\w*EXT"),
+    Row(BUFFER, Naming.MEETS, 0, r"gl(Clear|Get|Map|Unmap)?NamedBuffer\w*EXT"),
     Row(BUFFER, Naming.MEETS, 0, r"glFlushMappedNamedBufferRangeEXT"),
     Row(FRAMEBUFFER, Naming.GENERATES, 0, r"glGenFramebuffers(EXT)?"),
     Row(FRAMEBUFFER, Naming.CREATES, 0, r"glCreateFramebuffers"),
@@ -113,6 +113,11 @@ PLACES: tuple[tuple[tuple[int, ...], str], ...] = (
     ((2,), r"glUseProgramStages(EXT)?"),
 )
 """Calls with names of programs and shaders among their arguments, by position."""
+PLAIN = (
+    ("OpenGL.GL.VERSION.GL_2_0", "glShaderSource"),
+    ("OpenGL.GL.ARB.shader_objects", "glShaderSourceARB"),
+)
+"""Of these, modules where PyOpenGL has another function of ctypes' beside the raw one."""
 LABELS = r"gl(Get)?ObjectLabel(KHR)?"
 """Calls whose second argument is such a name where the first says so."""
 LABELLED = (GL_PROGRAM, GL_SHADER)

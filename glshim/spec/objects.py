@@ -170,7 +170,9 @@ class Programs:
 
     def __init__(self, space: Space) -> None:
         self._space = space
+        global _first
         self._first = space.last[PROGRAM]
+        _first = min(_first, self._first)
         self.ours: set[int] = set()
         self._drivers: dict[int, int] = {}
         """By the program's name."""
@@ -219,6 +221,8 @@ heard: list[Callable[[Kind], None]] = []
 """Called with a kind whose names the program has to be given by us from now on."""
 floors: dict[Kind, int] = {}
 """By kind the least of `Space.last`: what is met up to there is no news."""
+_first = 1 << 32
+"""The least name that is the same for the program and its driver wherever there are others."""
 _far, _off = count(_FAR), count(_OFF)
 _spare: dict[tuple[Kind, bool], list[int]] = {}
 """Of ours, names of objects that have been deleted."""
@@ -290,6 +294,12 @@ def tidy() -> None:
         here.left = {}
         if here.programs is not None:
             here.programs.ours = set(filter(PROGRAM.is_there, here.programs.ours))
+
+
+def is_news(name: int) -> bool:
+    """Whether a program or shader of that name, if there is one, may have another with the
+    driver."""
+    return name > _first
 
 
 def is_late(name: int) -> bool:

@@ -320,3 +320,59 @@ def answers(
         program.run(steps(seed, core=core, windows=windows))
         app.error()
     return app.saw
+
+
+def difference(
+    seed: int, style: str, *, core: bool = False, windows: int = 1
+) -> tuple[list[str], str | None] | None:
+    """Where a program is first answered otherwise than plain: what it was answered until then, and
+    what under the style; None: nowhere."""
+    plain = answers(seed, None, core=core, windows=windows)
+    styled = answers(seed, style, core=core, windows=windows)
+    for at, (one, other) in enumerate(zip([*plain, None], [*styled, None], strict=False)):
+        if one != other:
+            return plain[max(at - 8, 0) : at + 1], other
+    return None
+
+
+def _gives_again() -> bool:
+    """Whether this driver gives names again."""
+    with window():
+        first = int(GL.glGenTextures(1))
+        GL.glDeleteTextures(1, [first])
+        return int(GL.glGenTextures(1)) == first
+
+
+def main(number: int, first: int) -> int:
+    """Compare programs of so many seeds; exit status 1 where one is answered otherwise."""
+    import sys
+
+    from glshim.styling import registry
+
+    styles = ("none", "raskar", *registry.names(), *registry.looks())
+    found = 0
+    for seed in range(first, first + number):
+        style, windows = styles[seed % len(styles)], 1 + seed % 2
+        core = seed % 7 == 0
+        where = difference(seed, style, core=core, windows=windows)
+        if where is not None:
+            found += 1
+            print(seed, style, where)
+        if seed % 100 == 99:
+            print(seed + 1 - first, "done", file=sys.stderr)
+    again = "names are given again" if _gives_again() else "names are not given again"
+    print(f"{number} programs, {found or 'no'} difference{'s' if found > 1 else ''}; {again}")
+    return int(found > 0)
+
+
+if __name__ == "__main__":
+    import sys
+
+    from glshim.running.headless import virtual_screen
+
+    with ExitStack() as screen:
+        import os
+
+        if "DISPLAY" not in os.environ:
+            os.environ.update(screen.enter_context(virtual_screen()))
+        sys.exit(main(*map(int, [*sys.argv[1:], "0"][:2])))

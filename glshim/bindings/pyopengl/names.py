@@ -8,16 +8,18 @@ With drivers that give the least name that is free, nothing is hooked.
 from __future__ import annotations
 
 import ctypes
-from operator import index
+from functools import partial
+from types import ModuleType
 from typing import Any
 
-import numpy as np
-
-from glshim.bindings.pyopengl.raw import RAW, Call, Maker
+from glshim.bindings.imports import after_import
+from glshim.bindings.pyopengl import programs
+from glshim.bindings.pyopengl.memory import address_of, number
+from glshim.bindings.pyopengl.raw import RAW, Call, Maker, hook_function_below
 from glshim.spec import objects
-from glshim.spec.naming import BINDINGS, Naming, Row, row_of
-from glshim.spec.objects import Kind
-from glshim.system.interrupts import Held, is_ours
+from glshim.spec.naming import BINDINGS, PLAIN, Naming, Row, row_of
+from glshim.spec.objects import PROGRAM, Kind
+from glshim.system.interrupts import Held
 
 
 class Names:
@@ -35,7 +37,22 @@ class Names:
         """Names of a kind are to be given here. For good: the program has them then."""
         if kind not in self._kinds:
             self._kinds.add(kind)
-            RAW.hook_below(lambda name: _maker(kind, name))
+            if kind is PROGRAM:
+                RAW.hook_below(programs.maker_of)
+                for module, name in PLAIN:
+                    after_import(module, partial(_hook_plain, name))
+            else:
+                RAW.hook_below(lambda name: _maker(kind, name))
+
+
+def _hook_plain(name: str, module: ModuleType) -> None:
+    """Hook a call that PyOpenGL has as a function of ctypes', in a wrapper."""
+    function: Any = getattr(module, name, None)
+    while function is not None and not hasattr(type(function), "_flags_"):
+        function = getattr(function, "wrappedOperation", None)
+    maker = programs.maker_of(name)
+    if function is not None and maker is not None:
+        hook_function_below(function, maker)
 
 
 def _maker(kind: Kind, name: str) -> Maker | None:
@@ -51,7 +68,7 @@ def _meeting(row: Row) -> Maker:
     def maker(real: Call) -> Call:
         def hook(*args: Any, **named: Any) -> Any:
             result = real(*args, **named)
-            name = _number(args, position)
+            name = number(args, position)
             if name > floors[kind]:
                 space = objects.space()
                 if space is not None and kind in space.last:
@@ -81,44 +98,21 @@ def _giving(row: Row) -> Maker:
 
 def _rename(row: Row, args: tuple[Any, ...], space: objects.Space) -> None:
     """Have the program given its own names, in place of those that the driver has given."""
-    kind, number = row.kind, _number(args, row.position)
-    address = _address(args[row.position + 1]) if 0 < number < 1 << 31 else 0
+    kind, count = row.kind, number(args, row.position)
+    address = address_of(args[row.position + 1]) if 0 < count < 1 << 31 else 0
     if not address:
         return
-    memory = (ctypes.c_uint * number).from_address(address)
+    memory = (ctypes.c_uint * count).from_address(address)
     if not objects.is_late(memory[0]):  # an error: none were given
         return
     kind.delete(memory)
-    names = space.given(kind, number)
+    names = space.given(kind, count)
     if row.naming is Naming.CREATES:
-        target = _number(args, 0) if row.position else 0
+        target = number(args, 0) if row.position else 0
         for name in names:
             kind.create(name, target, BINDINGS.get(target, 0))
     for k, name in enumerate(names):
         memory[k] = name
-
-
-def _number(args: tuple[Any, ...], position: int) -> int:
-    """A GLuint or GLsizei among arguments that the driver took, 0 for none."""
-    try:
-        value = args[position]
-        return index(getattr(value, "value", value)) & 0xFFFFFFFF
-    except (IndexError, TypeError) as error:
-        if not is_ours(error):
-            raise
-        return 0
-
-
-def _address(value: Any) -> int:
-    """Of memory that the program sees, 0 for none: PyOpenGL copies lists."""
-    if isinstance(value, np.ndarray):
-        return int(value.__array_interface__["data"][0])
-    try:
-        return int(ctypes.cast(value, ctypes.c_void_p).value or 0)
-    except (TypeError, ctypes.ArgumentError) as error:
-        if not is_ours(error):
-            raise
-        return 0
 
 
 NAMES = Names()

@@ -1,0 +1,166 @@
+"""The program's own names of programs and shaders, where its driver counts upwards and has given
+ours some in between: the driver hears its names, the program what it would be told without us
+(`glshim.spec.objects.Programs`).
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from typing import Any
+
+from glshim.bindings.pyopengl.memory import address_of, number
+from glshim.bindings.pyopengl.raw import Call, Maker
+from glshim.spec import naming, objects
+from glshim.spec.driver import LETTERS
+from glshim.system.interrupts import Held
+
+Translate = Callable[[int], int]
+
+
+def maker_of(name: str) -> Maker | None:
+    """What makes the hook of a call, if names of programs or shaders are in it."""
+    if naming.makes(name):
+        return _making
+    if naming.returns(name):
+        return _returning
+    if name in naming.ANSWERS:
+        letter, position = naming.ANSWERS[name]
+        return _answering(LETTERS[letter], position)
+    row = naming.row_of_names(name)
+    if row is not None:
+        return _listing(*row, naming.places_of(name))
+    if naming.labels(name):
+        return _labelling
+    places = naming.places_of(name)
+    return _taking(places) if places else None
+
+
+def _programs() -> objects.Programs | None:
+    space = objects.space()
+    return None if space is None else space.programs
+
+
+def _making(real: Call) -> Call:
+    def hook(*args: Any, **named: Any) -> Any:
+        programs = _programs()
+        if programs is None:
+            return real(*args, **named)
+        with Held():
+            made = real(*args, **named)
+            return programs.entered(made) if made else made
+
+    return hook
+
+
+def _returning(real: Call) -> Call:
+    def hook(*args: Any, **named: Any) -> Any:
+        programs, found = _programs(), real(*args, **named)
+        return found if programs is None else programs.own(found)
+
+    return hook
+
+
+def _taking(places: tuple[int, ...]) -> Maker:
+    last = max(places) + 1
+
+    def maker(real: Call) -> Call:
+        def hook(*args: Any, **named: Any) -> Any:
+            if len(args) >= last and any(objects.is_news(number(args, at)) for at in places):
+                return _call(real, _translated(args, places), args, named)
+            return real(*args, **named)
+
+        return hook
+
+    return maker
+
+
+def _call(
+    real: Call, drivers: tuple[Any, ...], args: tuple[Any, ...], named: dict[str, Any]
+) -> Any:
+    """A call with the driver's names, whose errors tell of the program's own."""
+    from OpenGL.error import GLError  # not before the program has set its flags
+
+    try:
+        return real(*drivers, **named)
+    except GLError as error:
+        error.cArguments = args
+        raise
+
+
+def _translated(args: tuple[Any, ...], places: tuple[int, ...]) -> tuple[Any, ...]:
+    """Arguments as the driver has them."""
+    programs = _programs()
+    if programs is None:
+        return args
+    found = list(args)
+    for at in places:
+        own = number(args, at)
+        drivers = programs.drivers(own)
+        if drivers != own:
+            found[at] = drivers
+    return tuple(found)
+
+
+def _labelling(real: Call) -> Call:
+    def hook(*args: Any, **named: Any) -> Any:
+        if len(args) > 1 and number(args, 0) in naming.LABELLED:
+            return _call(real, _translated(args, (1,)), args, named)
+        return real(*args, **named)
+
+    return hook
+
+
+def _answering(element: Any, position: int) -> Maker:
+    """The memory for the answer comes after the question."""
+
+    def maker(real: Call) -> Call:
+        def hook(*args: Any, **named: Any) -> Any:
+            result = real(*args, **named)
+            if len(args) > position and number(args, position - 1) in naming.ASKED:
+                programs, address = _programs(), address_of(args[position])
+                if programs is not None and address:
+                    answer = element.from_address(address)
+                    answer.value = programs.own(int(answer.value))
+            return result
+
+        return hook
+
+    return maker
+
+
+def _listing(count: int, array: int, places: tuple[int, ...]) -> Maker:
+    """Shaders in an array: what is given to the driver, or what it gives."""
+
+    def maker(real: Call) -> Call:
+        def given(programs: objects.Programs, args: tuple[Any, ...]) -> tuple[Any, ...]:
+            some, address = number(args, count), address_of(args[array])
+            if not 0 < some < 1 << 16 or not address:
+                return args
+            own = (ctypes.c_uint * some).from_address(address)
+            drivers = (ctypes.c_uint * some)(*map(programs.drivers, own))
+            return (*args[:array], drivers, *args[array + 1 :])
+
+        def told(programs: objects.Programs, args: tuple[Any, ...]) -> None:
+            there, address = address_of(args[count]), address_of(args[array])
+            if not there or not address:
+                return
+            some = ctypes.c_int.from_address(there).value
+            names = (ctypes.c_uint * max(some, 0)).from_address(address)
+            for k, name in enumerate(names):
+                names[k] = programs.own(name)
+
+        def hook(*args: Any, **named: Any) -> Any:
+            programs = _programs()
+            if programs is None or len(args) <= max(count, array):
+                return real(*args, **named)
+            if not places:
+                return _call(real, given(programs, args), args, named)
+            with Held():
+                result = _call(real, _translated(args, places), args, named)
+                told(programs, args)
+            return result
+
+        return hook
+
+    return maker
