@@ -38,9 +38,10 @@ _ROOM = 1 << 24
 """Names from there on that are ours, or those of C code that was given names after us."""
 _END = 0xFFFF0000
 """From here on drivers do not count upwards any more."""
-_STOCK = 16
 _STEP = 4096
 """Names between the program's and ours where a driver lets nobody choose."""
+_STOCK, _SHADERS = 32, 1 << 14
+"""Programs that are made at once, and shaders before them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,7 +134,9 @@ class Space:
     the program has had so far. The driver goes on from ours."""
     tried: set[Kind] = field(default_factory=set)
     stock: list[int] = field(default_factory=list)
-    """Programs of ours that are empty yet, with a driver that gives the least free name."""
+    """Programs of ours that are empty yet, with a driver that gives the least free name. The first
+    stays: a program that deletes very many names deletes that one, too."""
+    losses: int = 0
     programs: Programs | None = None
     """With one that counts upwards."""
     left: dict[Kind, set[int]] = field(default_factory=dict)
@@ -321,12 +324,24 @@ def _made_program() -> int:
         name = int(gl.glCreateProgram())
         here.programs.ours.add(name)
         return name
-    if not here.stock:
-        between = [gl.glCreateShader(GL_FRAGMENT_SHADER) for _ in range(_STEP)]
-        here.stock = PROGRAM.generate(_STOCK)
+    losses()
+    if len(here.stock) < 2:
+        between = [gl.glCreateShader(GL_FRAGMENT_SHADER) for _ in range(_SHADERS)]
+        here.stock += PROGRAM.generate(_STOCK)
         for shader in between:
             gl.glDeleteShader(shader)
     return here.stock.pop()
+
+
+def losses() -> int:
+    """How often programs of ours have been deleted by the current context's program."""
+    here = space()
+    if here is None:
+        return 0
+    if here.stock and not PROGRAM.is_there(here.stock[0]):
+        here.stock.clear()
+        here.losses += 1
+    return here.losses
 
 
 def space() -> Space | None:

@@ -4,6 +4,9 @@ it would be given without us."""
 from __future__ import annotations
 
 import ctypes
+import os
+import subprocess
+import sys
 from typing import Any
 
 import glfw
@@ -12,7 +15,7 @@ import pytest
 from OpenGL import GL
 
 from glshim.styling import registry
-from tests.sweep import some
+from tests.sweep import SEED, some
 
 from .test_contexts import cube
 from .world import App, prepare, styled, window
@@ -74,3 +77,45 @@ def seen_with_own_names(style: str | None) -> list[str]:
 @pytest.mark.parametrize("style", some(STYLES, 6))
 def test_objects_that_a_program_names_are_its_own(style: str) -> None:
     assert seen_with_own_names(None) == seen_with_own_names(style)
+
+
+GREEDY = """
+from tests.differential.test_object_names import *
+
+def pictures(style, most):
+    found = []
+    with styled(style), window() as handle:
+        prepare()
+        for turn in range(4):
+            GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+            GL.glPushMatrix()
+            cube()
+            GL.glPopMatrix()
+            found.append(GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+            for name in range(1, most) if turn else ():
+                if GL.glIsProgram(name):
+                    GL.glDeleteProgram(name)
+            glfw.swap_buffers(handle)
+    return np.array([np.frombuffer(each, np.uint8) for each in found])
+
+plain = pictures(None, 1)
+for style in STYLES[TURN::16]:
+    shown, greedy = (
+        (pictures(style, most) != plain).sum(axis=1).tolist() for most in (1, 20000)
+    )
+    for some, others in zip(shown, greedy):  # hands of some styles shake
+        assert 0.8 * some <= others <= 1.25 * some, (style, shown, greedy)
+"""
+
+
+@pytest.mark.programs
+def test_a_program_that_deletes_ours_gets_its_style_all_the_same() -> None:
+    """With a driver that gives names again they lie beyond 16,384 of the program's."""
+    program = GREEDY.replace("TURN", str(SEED % 16))
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=300,
+        env={**os.environ, "force_gl_names_reuse": "true"}, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("has deleted objects of glshim's: they are made anew") == 1
+    assert "Traceback" not in done.stderr

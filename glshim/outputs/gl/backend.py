@@ -20,6 +20,7 @@ from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.devices import Device, ModernDevice, attach
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
+from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.device.textures import Textures
 from glshim.outputs.gl.frame.cameras import box_of, scissor, stencil, turned
 from glshim.outputs.gl.frame.canvas import Canvas
@@ -104,7 +105,7 @@ class Backend:
 
         Where it has no depth buffer, the batches' own depth is laid down elsewhere. Does nothing
         where GL cannot draw now (a list being compiled, selection, a full attribute stack). Raises
-        `RenderError` when a shader does not compile.
+        `RenderError` when a shader does not compile, and `Lost`.
         """
         self._finder.tick()
         self._met.clear()
@@ -116,6 +117,8 @@ class Backend:
         items = [item for run in runs for item in run.items]
         if not items or not possible():
             return
+        if not self._device.is_whole:
+            raise Lost
         box = box_of((camera for _, camera in items), destination.bounds)
         if not box[2] or not box[3]:
             return

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.output import Context, Destination, Given, Output
@@ -28,7 +30,12 @@ class Picture(Output):
         self._cover.set_surface(styler.surface if styler is not None else "app")
 
     def cover(self) -> None:
-        self._cover.cover()
+        try:
+            self._cover.cover()
+        except Lost:
+            self._cover.uncover()
+            self._lost()
+            self._cover.cover()
 
     def uncover(self) -> None:
         self._cover.uncover()
@@ -43,7 +50,11 @@ class Picture(Output):
             context.mark()
             self._fixed.render(faces)
         if others:
-            self._backend(context).render(others, destination)
+            try:
+                self._backend(context).render(others, destination)
+            except Lost:
+                self._lost()
+                self._backend(context).render(others, destination)
 
     def forget(self, handle: int) -> None:
         self._cover.forget(handle)
@@ -54,6 +65,11 @@ class Picture(Output):
 
     def release(self) -> None:
         self._cover.release()
+
+    def _lost(self) -> None:
+        """What is left of ours in the current context is of no use."""
+        say_once("the program has deleted objects of glshim's: they are made anew")
+        self.forget(current_context())
 
     def _backend(self, context: Context) -> Backend:
         """The current context's backend."""

@@ -18,7 +18,7 @@ from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
 from glshim.spec.context import MODERN, OLDEST, version
 from glshim.spec.driver import gl
-from glshim.spec.objects import PROGRAM, delete, made_program
+from glshim.spec.objects import PROGRAM, delete, losses, made_program
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""
@@ -29,6 +29,14 @@ class Device(ABC):
 
     modern: ClassVar[bool]
     """Whether the context has what OpenGL 3.3 has."""
+
+    def __init__(self) -> None:
+        self._losses = losses()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the program has left its programs alone."""
+        return losses() == self._losses
 
     @abstractmethod
     def program(self, name: str, vertex: str, fragment: str = "") -> Program:
@@ -54,6 +62,7 @@ class ModernDevice(Device):
     modern = True
 
     def __init__(self) -> None:
+        super().__init__()
         self._connection = connection()
         self._made: WeakSet[Any] = WeakSet()
         """Objects of moderngl's, whose memory is free only when each has been released."""

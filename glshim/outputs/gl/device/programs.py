@@ -111,6 +111,10 @@ class Linked(Protocol):
         """Delete it. In its context."""
 
 
+class Lost(Exception):
+    """Objects of ours were deleted by the program."""
+
+
 class Program:
     """A program of the current context, made by a `Device`; uniforms that it does not have are
     passed over."""
@@ -122,7 +126,10 @@ class Program:
 
     def use(self, *values: Mapping[str, Any]) -> None:
         """Draw with it from now on, with uniforms by name. Arrays as they lie in memory (matrices
-        columns first), and not to be changed later: what is there already is not sent again."""
+        columns first), and not to be changed later: what is there already is not sent again.
+        Raises `Lost`."""
+        if not gl.glIsProgram(self.name):
+            raise Lost
         gl.glUseProgram(self.name)
         for some in values:
             self.set(some)

@@ -94,6 +94,8 @@ class RenderTarget:
     def fit(self, width: int, height: int) -> None:
         """Have room for so many pixels, and bind it where it had too few. What it held is lost
         then. Raises `RenderError` where the driver has no such framebuffer."""
+        if self.name and not FRAMEBUFFER.is_there(self.name):  # the program has deleted it
+            self.release()
         if width <= self.size[0] and height <= self.size[1]:
             return
         if not self.name:
