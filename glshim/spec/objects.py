@@ -293,7 +293,7 @@ def tidy() -> None:
     here = space()
     if here is not None:
         for kind, names in here.left.items():
-            delete(kind, names)
+            delete(kind, filter(kind.is_there, names))
         here.left = {}
         if here.programs is not None:
             here.programs.ours = set(filter(PROGRAM.is_there, here.programs.ours))

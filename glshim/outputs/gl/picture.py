@@ -70,6 +70,7 @@ class Picture(Output):
         """What is left of ours in the current context is of no use."""
         say_once("the program has deleted objects of glshim's: they are made anew")
         self.forget(current_context())
+        tidy()  # before what is made anew gets such names
 
     def _backend(self, context: Context) -> Backend:
         """The current context's backend."""
