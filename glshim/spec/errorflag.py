@@ -37,7 +37,8 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_debug_output, has_fixed_function, has_framebuffers
 from glshim.spec.driver import gl
-from glshim.spec.objects import BUFFER, FRAMEBUFFER, delete, made
+from glshim.spec.kinds import BUFFER, FRAMEBUFFER
+from glshim.spec.objects import delete, made
 
 _MOST = 16
 """Flags that are looked at: a context that is lost reports errors for ever."""

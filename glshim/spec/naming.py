@@ -41,7 +41,7 @@ from glshim.spec.constants import (
     GL_TEXTURE_RECTANGLE,
     GL_VERTEX_SHADER,
 )
-from glshim.spec.objects import BUFFER, FRAMEBUFFER, RENDERBUFFER, TEXTURE, Kind
+from glshim.spec.kinds import BUFFER, FRAMEBUFFER, RENDERBUFFER, TEXTURE, Kind
 
 
 class Naming(Enum):

@@ -17,8 +17,8 @@ from glshim.bindings.pyopengl import programs
 from glshim.bindings.pyopengl.memory import address_of, number
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker, hook_function_below
 from glshim.spec import objects
+from glshim.spec.kinds import PROGRAM, Kind
 from glshim.spec.naming import BINDINGS, PLAIN, Naming, Row, row_of
-from glshim.spec.objects import PROGRAM, Kind
 from glshim.system.interrupts import Held
 
 

@@ -18,8 +18,9 @@ from glshim.sources.source import Source
 from glshim.sources.state import DrawState, StateReader
 from glshim.spec.context import shortcoming
 from glshim.spec.driver import current_context
+from glshim.spec.kinds import FRAMEBUFFER
 from glshim.spec.lifetime import witness
-from glshim.spec.objects import FRAMEBUFFER, made
+from glshim.spec.objects import made
 from glshim.spec.roles import Role
 
 _FRAMES_BETWEEN_LOOKS = 256

@@ -18,7 +18,8 @@ from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
 from glshim.spec.context import MODERN, OLDEST, version
 from glshim.spec.driver import gl
-from glshim.spec.objects import PROGRAM, delete, losses, made_program
+from glshim.spec.kinds import PROGRAM
+from glshim.spec.objects import delete, losses, made_program
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""

@@ -42,7 +42,8 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT_24_8,
 )
 from glshim.spec.driver import gl
-from glshim.spec.objects import FRAMEBUFFER, RENDERBUFFER, TEXTURE, delete, made
+from glshim.spec.kinds import FRAMEBUFFER, RENDERBUFFER, TEXTURE
+from glshim.spec.objects import delete, made
 
 _COLOURS = {
     GL_RGB8: (GL_RGBA, GL_UNSIGNED_BYTE),

@@ -25,7 +25,8 @@ from glshim.spec.constants import (
     GL_UNSIGNED_BYTE,
 )
 from glshim.spec.driver import gl
-from glshim.spec.objects import TEXTURE, delete, made
+from glshim.spec.kinds import TEXTURE
+from glshim.spec.objects import delete, made
 from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13

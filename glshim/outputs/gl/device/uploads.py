@@ -27,7 +27,8 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_ROWS,
 )
 from glshim.spec.driver import gl
-from glshim.spec.objects import TEXTURE, made
+from glshim.spec.kinds import TEXTURE
+from glshim.spec.objects import made
 
 WIDTH = 2048
 """Texels in a row of a texture that has more than one."""

@@ -53,7 +53,8 @@ from glshim.spec.constants import (
 )
 from glshim.spec.context import has_fixed_function, number_of_any_api, version
 from glshim.spec.driver import gl
-from glshim.spec.objects import FRAMEBUFFER, RENDERBUFFER, delete, made
+from glshim.spec.kinds import FRAMEBUFFER, RENDERBUFFER
+from glshim.spec.objects import delete, made
 from glshim.spec.pixels import TextureImage
 from glshim.spec.unnoticed import Unnoticed
 from glshim.system.writing import picture_target, write_picture

@@ -26,7 +26,8 @@ from glshim.outputs.gl.device.uploads import upload
 from glshim.outputs.gl.passes.sieved import Sieved
 from glshim.spec.constants import GL_ELEMENT_ARRAY_BUFFER, GL_TEXTURE0, GL_TEXTURE_2D
 from glshim.spec.driver import gl
-from glshim.spec.objects import TEXTURE, delete
+from glshim.spec.kinds import TEXTURE
+from glshim.spec.objects import delete
 from glshim.styling.passes import Element
 
 UNITS = {

@@ -24,7 +24,8 @@ from glshim.spec.constants import (
     GL_TEXTURE_2D,
 )
 from glshim.spec.driver import gl
-from glshim.spec.objects import TEXTURE, delete
+from glshim.spec.kinds import TEXTURE
+from glshim.spec.objects import delete
 from glshim.styling.passes import Element, Sieve
 
 UNIT = 12
