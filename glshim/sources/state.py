@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from glshim.model.camera import Camera
+from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_CCW,
     GL_CLIP_PLANE0,
@@ -36,6 +37,7 @@ from glshim.spec.constants import (
     GL_LIGHTING,
     GL_MODELVIEW_MATRIX,
     GL_POLYGON_MODE,
+    GL_PROGRAM_PIPELINE_BINDING,
     GL_PROJECTION_MATRIX,
     GL_RENDER,
     GL_RENDER_MODE,
@@ -47,8 +49,10 @@ from glshim.spec.constants import (
     GL_STENCIL_TEST,
     GL_STENCIL_VALUE_MASK,
     GL_TEXTURE_2D,
+    GL_VERTEX_SHADER,
     GL_VIEWPORT,
 )
+from glshim.spec.context import PROGRAM_SWITCHES, other_programs
 from glshim.spec.driver import gl, quick
 
 _CLIP_PLANES = 6
@@ -67,6 +71,9 @@ _INTEGERS = (
     ("depth_mask", GL_DEPTH_WRITEMASK, 1),
     ("render_mode", GL_RENDER_MODE, 1),
     ("program", GL_CURRENT_PROGRAM, 1),
+    *(("other_program", name, 1) for name in PROGRAM_SWITCHES),
+    ("pipeline", GL_PROGRAM_PIPELINE_BINDING, 1),
+    ("stage", GL_VERTEX_SHADER, 1),  # of the pipeline that is bound
     ("framebuffer", GL_DRAW_FRAMEBUFFER_BINDING, 1),
     ("stencil_test", GL_STENCIL_TEST, 1),
     ("stencil", GL_STENCIL_FUNC, 1),
@@ -100,7 +107,8 @@ class DrawState:
     rendered: bool
     """Drawn to a picture, not for selection or feedback."""
     program: int
-    """Name of the app's own program that is in use; 0 for the fixed-function pipeline."""
+    """Not 0 where vertices go through a program of the app's own, of whatever kind; 0 for the
+    fixed-function pipeline."""
     obstacle: str
     """Why polygons drawn now cannot carry lines, wherever they come from; empty when they can."""
     fill_faces: bool
@@ -120,6 +128,10 @@ class StateReader:
         self._lit_calls: list[Callable[[], None]] = []
         self._lit = ctypes.c_int32()
         self._clips = False
+        self._other_programs: tuple[int, ...] | None = None
+        """What tells that some are in use; None: as if there were none."""
+        self._pipeline = ctypes.c_int32()
+        self._stage = self._at(0)
         self._known: dict[bytes, DrawState] = {}
         self._rest: dict[bytes, DrawState] = {}
 
@@ -132,6 +144,13 @@ class StateReader:
             self._clips = True
             self._calls.clear()
 
+    def look_for_programs(self) -> None:
+        """The app has to do with programs that are not the one of glUseProgram. From now on they
+        are asked for."""
+        if self._other_programs is None:
+            self._other_programs = other_programs()
+            self._calls.clear()
+
     def read(self) -> DrawState:
         """The state now. A compatibility context must be current, outside glBegin/glEnd."""
         for get in self._calls or self._prepare():
@@ -139,6 +158,8 @@ class StateReader:
         if self._stencil_test.value:
             for get in self._stencil_calls:
                 get()
+        if self._pipeline.value:
+            gl.glGetProgramPipelineiv(self._pipeline.value, GL_VERTEX_SHADER, self._stage)
         if self._lit.value:  # only then: Mesa flushes what it holds when it is asked for a material
             for get in self._lit_calls:
                 get()
@@ -157,6 +178,8 @@ class StateReader:
             self._calls.append(partial(floats, name, self._at(offset)))
             offset += count
         self._clips = self._clips or _any_clip_plane_was_set()
+        if self._other_programs is None and any(map(integer, known := other_programs())):
+            self._other_programs = known
         self._stencil_calls = []
         for kind, name, count in _INTEGERS:
             call = partial(integers, name, self._at(offset))
@@ -165,10 +188,17 @@ class StateReader:
             elif kind == "specular":
                 material = quick("glGetMaterialfv")
                 self._lit_calls = [partial(material, GL_FRONT, name, self._at(offset))]
+            elif kind == "stage":
+                self._stage = self._at(offset)
+            elif kind in ("other_program", "pipeline"):
+                if name in (self._other_programs or ()):
+                    self._calls.append(call)
             elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
             if kind == "lighting":
                 self._lit = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
+            if kind == "pipeline":
+                self._pipeline = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             if kind == "stencil_test":
                 self._stencil_test = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             offset += count
@@ -242,10 +272,15 @@ def _decode_rest(key: bytes) -> DrawState:
         depth_written=bool(values["depth_mask"][0]),
         flat=camera.orthographic,
         rendered=values["render_mode"][0] == GL_RENDER,
-        program=values["program"][0],
+        program=values["program"][0] or _other_program(values),
         obstacle=obstacle,
         fill_faces=values["polygon_mode"] == (GL_FILL, GL_FILL),
     )
+
+
+def _other_program(values: dict[str, tuple[int, ...]]) -> int:
+    """Not 0 where a program that is not glUseProgram's takes the vertices."""
+    return int(any(values["other_program"]) or all((*values["pipeline"], *values["stage"])))
 
 
 def _any_clip_plane_was_set() -> bool:

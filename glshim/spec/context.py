@@ -20,6 +20,8 @@ from glshim.spec.constants import (
     GL_PROGRAM_PIPELINE_BINDING,
     GL_VERSION,
     GL_VERTEX_ARRAY_BINDING,
+    GL_VERTEX_PROGRAM_ARB,
+    GL_VERTEX_SHADER_EXT,
 )
 from glshim.spec.driver import current_context, gl
 
@@ -35,6 +37,14 @@ NO_FIXED_FUNCTION = "a core profile has no fixed-function pipeline to follow"
 _FRAMEBUFFERS, _VERTEX_ARRAYS = "GL_ARB_framebuffer_object", "GL_ARB_vertex_array_object"
 _RESTARTS = ((GL_PRIMITIVE_RESTART, (3, 1)), (GL_PRIMITIVE_RESTART_FIXED_INDEX, (4, 3)))
 _UNITS_NEEDED = 16
+_NEVER: Version = (99, 0)
+_OTHER_PROGRAMS = {
+    GL_VERTEX_PROGRAM_ARB: (_NEVER, ("GL_ARB_vertex_program", "GL_NV_vertex_program")),
+    GL_VERTEX_SHADER_EXT: (_NEVER, ("GL_EXT_vertex_shader",)),
+    GL_PROGRAM_PIPELINE_BINDING: ((4, 1), ("GL_ARB_separate_shader_objects",)),
+}
+PROGRAM_SWITCHES = (GL_VERTEX_PROGRAM_ARB, GL_VERTEX_SHADER_EXT)
+"""Older kinds of programs, of assembly's: each is on or off."""
 
 
 def version_text() -> str:
@@ -81,12 +91,21 @@ def obstacles_to_client_arrays() -> tuple[int, ...]:
     number = version()
     if number is None or number < (2, 0) or not _has_fixed_function(number):
         return ()
-    found = [GL_CURRENT_PROGRAM]  # which may look at gl_VertexID, as may one in a pipeline
-    if has_pipelines():
-        found.append(GL_PROGRAM_PIPELINE_BINDING)
+    # A program may look at gl_VertexID.
+    found = (GL_CURRENT_PROGRAM, *other_programs())
     if number >= (3, 0) or "_vertex_array_object" in " ".join(_extensions(version_text())):
-        found.append(GL_VERTEX_ARRAY_BINDING)
-    return tuple(found)
+        return *found, GL_VERTEX_ARRAY_BINDING
+    return found
+
+
+def other_programs() -> tuple[int, ...]:
+    """Names of the integers that are not zero where the app may have its vertices go through a
+    program that is not glUseProgram's: those that this driver knows."""
+    return tuple(
+        name
+        for name, (since, extensions) in _OTHER_PROGRAMS.items()
+        if any(_has(since, extension) for extension in extensions)
+    )
 
 
 def has_framebuffers() -> bool:

@@ -61,7 +61,8 @@ def address(name: str) -> int:
     from OpenGL.platform import PLATFORM
 
     try:
-        place = ctypes.cast(getattr(PLATFORM.GL, name), ctypes.c_void_p).value
+        # Not as an attribute: the library would keep it, for the program to see.
+        place = ctypes.cast(PLATFORM.GL._FuncPtr((name, PLATFORM.GL)), ctypes.c_void_p).value
     except AttributeError:
         place = PLATFORM.getExtensionProcedure(name.encode())
     return place or 0

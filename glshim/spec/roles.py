@@ -58,6 +58,7 @@ class Role(Enum):
     QUERY_OPEN = "begins to count what is drawn"
     CONDITION_OPEN = "lets what is drawn depend on a query"
     CONDITION_CLOSE = "lets it depend on nothing"
+    OTHER_PROGRAM = "has to do with vertex programs that are not glUseProgram's"
 
     __hash__ = object.__hash__
     """Members are one each: Enum's own is written in Python and costs each hooked call."""
@@ -84,7 +85,7 @@ WATCHED = (
     POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES | CONDITIONS
     | {
         Role.LIST_FORGET, Role.CLEAR, Role.CLEAR_BUFFER, Role.READ_PIXELS, Role.READ_IMAGE,
-        Role.READBACK, Role.TARGET, Role.CLIP_PLANE,
+        Role.READBACK, Role.TARGET, Role.CLIP_PLANE, Role.OTHER_PROGRAM,
     }
 )  # fmt: skip
 """Told to whoever follows the app's draws."""
@@ -170,6 +171,8 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.QUERY_OPEN, r"glBeginQuery(Indexed|ARB|EXT)?|glBeginOcclusionQueryNV"),
     (Role.CONDITION_OPEN, r"glBeginConditionalRender(NV)?"),
     (Role.CONDITION_CLOSE, r"glEndConditionalRender(NV)?"),
+    (Role.OTHER_PROGRAM, r"glBindProgram(ARB|NV|Pipeline(EXT)?)|glBindVertexShaderEXT"),
+    (Role.OTHER_PROGRAM, r"glProgramStringARB|glLoadProgramNV"),
 )  # fmt: skip
 
 KNOWN_PASS = re.compile(

@@ -102,6 +102,7 @@ SIGNATURES: dict[str, str] = {
     "glGetMaterialfv": "uup",
     "glGetPointerv": "up",
     "glGetProgramInfoLog": "uipp",
+    "glGetProgramPipelineiv": "uup",
     "glGetProgramiv": "uup",
     "glGetQueryObjectuiv": "uup",
     "glGetQueryiv": "uup",

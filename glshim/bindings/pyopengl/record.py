@@ -20,8 +20,8 @@ class Record:
     """
 
     __slots__ = (
-        "held", "home", "list_open", "loose", "mode", "records", "sequences", "shadow", "sink",
-        "write",
+        "aside", "held", "home", "list_open", "loose", "mode", "records", "sequences", "shadow",
+        "sink", "write",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -33,6 +33,8 @@ class Record:
         self.held: Callable[[bytes], None] | None = None
         """`write` while vertices are held back, else None."""
         self.shadow = False
+        self.aside = False
+        """Nothing is to be held back: `stand_aside`."""
         self.loose = False
         """Inside a display list, outside any primitive of it; a shadow, too."""
         self.sequences: frozenset[type] | None = None
@@ -71,6 +73,11 @@ class Record:
                 partial(setattr, self, "shadow", True),
                 forward.said(self.stream()),
             ))  # fmt: skip
+
+    def stand_aside(self) -> None:
+        """From now on all goes straight through to the driver."""
+        self.aside = True
+        self.spill()
 
     def extend(self, records: bytes) -> None:
         """Add records of vertices that reached the driver another way."""

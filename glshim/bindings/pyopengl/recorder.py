@@ -16,7 +16,7 @@ from itertools import chain
 from threading import get_ident
 from typing import Any, NamedTuple
 
-from glshim.bindings.pyopengl import attributes, conversions, forward
+from glshim.bindings.pyopengl import attributes, bare, conversions, forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
 from glshim.bindings.pyopengl.vectors import vectors
@@ -39,6 +39,7 @@ class Recorder:
     def __init__(self) -> None:
         self.record = Record()
         self._set: list[tuple[Callable[[str, Maker | None], None], str]] = []
+        self._watch_ends: Callable[[], None] = type(None)
 
     def install(self) -> None:
         """Hook glBegin, glEnd and every recorded attribute."""
@@ -56,9 +57,12 @@ class Recorder:
             for name, maker in wrappers.items():
                 RAW.hook_wrapper(name, maker)
                 self._set.append((RAW.hook_wrapper, name))
+        self._watch_ends = bare.watch(self.record)
 
     def uninstall(self) -> None:
         """Send what is still recorded and take the hooks away."""
+        self._watch_ends()
+        self.record.aside = False
         self.record.spill()
         for place, name in self._set:
             place(name, None)
@@ -134,18 +138,21 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 record.write = write = records.append
                 record.mode = mode
                 record.home = get_ident()
-                if careful:
-                    real(*args, **named)
-                    record.shadow = True
-                    return None
                 record.sequences = None
-                record.held = write
+                straight = careful or record.aside
+                if not straight:
+                    record.held = write
             except BaseException:  # a signal handler's, before the primitive
                 record.held = None
                 if record.sink is not None:
                     record.sink.refused()
                 raise
-            driver_begin(mode)  # what is raised now finds the primitive open
+            # What is raised now finds the primitive open.
+            if straight:
+                record.shadow = careful or record.sink is not None
+                if plain:
+                    return real(*args, **named)
+            driver_begin(mode)
             return forward.check(real, args) if checked else None
 
         return begin

@@ -218,6 +218,8 @@ class Follower:
             scene.fixed.lists.book.forget(name_among(args, 0), number(args, 1))
         elif role is Role.CLIP_PLANE:
             scene.reader.forget()
+        elif role is Role.OTHER_PROGRAM:
+            scene.reader.look_for_programs()
 
     def _clear(self, scene: Scene, mask: int) -> None:
         self.census.colour_cleared |= bool(mask & GL_COLOR_BUFFER_BIT)

@@ -1,0 +1,84 @@
+"""Every hooked name with every kind of argument: plain PyOpenGL against styles, under its flags."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+WORKER = Path(__file__).with_name("worker.py")
+ROOT = Path(__file__).parents[2]
+FLAGS: dict[str, dict[str, Any]] = {
+    "as it is": {},
+    "no error checks": {"ERROR_CHECKING": False},
+    "no copies": {"ERROR_ON_COPY": True},
+    "no copies, no pointers": {"ERROR_ON_COPY": True, "STORE_POINTERS": False},
+    "no sizes": {"ARRAY_SIZE_CHECKING": False},
+    "contexts": {"CONTEXT_CHECKING": True},
+    "error log": {"ERROR_LOGGING": True},
+    "full log": {"FULL_LOGGING": True},
+    "numpy scalars": {"ALLOW_NUMPY_SCALARS": True},
+    "unpacked": {"SIZE_1_ARRAY_UNPACK": False},
+    "images": {"UNSIGNED_BYTE_IMAGES_AS_STRING": False},
+    "not accelerated": {"USE_ACCELERATE": False},
+    "forward": {"FORWARD_COMPATIBLE_ONLY": True},
+    "annotations": {"MODULE_ANNOTATIONS": True},
+}
+"""Sets of PyOpenGL's flags."""
+
+
+@dataclass
+class Told:
+    """What a process said."""
+
+    total: int = 0
+    """Cases there are."""
+    cases: dict[int, str] = field(default_factory=dict)
+    """By number, their names."""
+    came: dict[int, str] = field(default_factory=dict)
+    """By number, what came of them; nothing for those that ended the process."""
+    crashed: list[int] = field(default_factory=list)
+    said: str = ""
+    """On standard error."""
+
+
+def told(
+    flags: str, style: str, *, count: int = 0, seed: int = 0, everything: bool = False,
+    skipped: tuple[int, ...] = (), handler: bool = False,
+) -> Told:  # fmt: skip
+    """The cases under a set of flags, all or so many by chance, in as many processes as it takes:
+    what kills plain PyOpenGL is left out."""
+    found = Told()
+    environment = {n: v for n, v in os.environ.items() if not n.startswith("GLSHIM_")}
+    environment |= {"PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "ignore"}
+    if style:
+        environment["GLSHIM_STYLE"] = style
+    first = 0
+    while True:
+        given = json.dumps({"flags": FLAGS[flags], "count": count, "seed": seed, "first": first,
+                            "everything": everything, "handler": handler,
+                            "skipped": [*skipped, *found.crashed]})  # fmt: skip
+        done = subprocess.run([sys.executable, str(WORKER), given], capture_output=True, text=True,
+                              check=False, env=environment, errors="replace")  # fmt: skip
+        found.said += done.stderr
+        last = -1
+        for line in done.stdout.splitlines():
+            mark, _, rest = line.partition(" ")
+            number, _, text = rest.partition(" ")
+            if mark == "of":
+                found.total = int(rest)
+            elif mark == ">":
+                last = int(number)
+                found.cases[last] = text
+            elif mark == "<":
+                found.came[int(number)] = text
+        if done.stdout.endswith("alive\n"):
+            return found
+        if last < first or done.returncode > 0:
+            raise RuntimeError(done.stderr[-3000:])
+        found.crashed.append(last)
+        first = last + 1

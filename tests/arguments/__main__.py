@@ -1,0 +1,54 @@
+"""``python -m tests.arguments [--flags NAME ...] [--styles NAME ...] [--count N] [--seed S]
+[--everything]`` makes calls with arguments of every kind and says what a style changes."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tests.arguments import FLAGS, told
+
+
+def main() -> int:
+    """Exit status: whether anything differs."""
+    ask = argparse.ArgumentParser(prog="python -m tests.arguments")
+    ask.add_argument("--flags", nargs="+", default=list(FLAGS), choices=FLAGS)
+    ask.add_argument("--styles", nargs="+", default=["none", "raskar"])
+    ask.add_argument("--count", type=int, default=0, help="so many by chance; else all")
+    ask.add_argument("--seed", type=int, default=0)
+    ask.add_argument("--everything", action="store_true", help="extensions, too")
+    ask.add_argument("--handler", action="store_true", help="a list handler of the program's")
+    ask.add_argument("--show", type=int, default=20)
+    given = ask.parse_args()
+    bad = 0
+    for flags in given.flags:
+        how = {"count": given.count, "seed": given.seed, "everything": given.everything,
+               "handler": given.handler}  # fmt: skip
+        plain = told(flags, "", **how)
+        for at in plain.crashed[: given.show]:
+            print(f"  ends plain PyOpenGL: {plain.cases[at]}")
+        for style in given.styles:
+            styled = told(flags, style, skipped=tuple(plain.crashed), **how)
+            differ = [at for at in plain.came if plain.came[at] != styled.came.get(at)]
+            faults = [
+                t
+                for t in ("Traceback", "glshim: fault", "switched off")
+                if t in styled.said and t not in plain.said
+            ]
+            print(
+                f"{flags}, {style}: {len(plain.came)} of {plain.total} cases, {len(differ)} differ, "
+                f"{len(plain.crashed)} end plain PyOpenGL, {len(styled.crashed)} more end it styled "
+                f"{faults or ''}",
+                flush=True,
+            )
+            for at in [*styled.crashed, *differ][: given.show]:
+                print(f"  {at} {plain.cases[at]}")
+                print(f"    {plain.came.get(at)}\n    {styled.came.get(at)}")
+            if faults:
+                print(styled.said[-2000:])
+            bad += len(differ) + len(styled.crashed) + len(faults)
+    return int(bad > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
