@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from inspect import getattr_static
 from operator import index
 from typing import Any
 
@@ -10,6 +11,10 @@ import numpy as np
 
 from glshim.system.interrupts import is_ours
 
+_PLAIN = frozenset((int, float, bool))
+_VALUE: Any = vars(ctypes._SimpleCData)["value"]
+_INTERFACE: Any = vars(np.ndarray)["__array_interface__"]
+_OWN = frozenset(("OpenGL", "OpenGL_accelerate"))
 
 def integer_of(value: Any) -> int:
     """An integer, given plain, by numpy or by ctypes. Raises TypeError for anything else."""
@@ -18,20 +23,34 @@ def integer_of(value: Any) -> int:
 
 def real_of(value: Any) -> float:
     """A number, given plain, by numpy or by ctypes. Raises TypeError for anything else."""
-    return float(_bare(value))
+    return value if type(value) is float else float(_bare(value))
+
+
+def reals_of(value: Any) -> list[float]:
+    """The numbers of a list or tuple, nested ones included, one after the other."""
+    if type(value) is list or type(value) is tuple:
+        return [number for each in value for number in reals_of(each)]
+    return [real_of(value)]
 
 
 def _bare(value: Any) -> Any:
-    """What ctypes would hand to C."""
+    """What ctypes would hand to C, of plain types. No code of the program's runs: PyOpenGL asks its
+    objects for their numbers itself, once."""
     for _ in range(8):  # so deep is nobody; it may name itself
-        if isinstance(value, (int, float)):
+        kind = type(value)
+        if kind in _PLAIN:
             return value
-        if hasattr(value, "_as_parameter_"):
-            value = value._as_parameter_
-        elif isinstance(value, ctypes._SimpleCData):
-            return value.value
-        else:
-            return value
+        if issubclass(kind, int):
+            return int.__index__(value)
+        if issubclass(kind, float):
+            return float.__pos__(value)
+        if issubclass(kind, ctypes._SimpleCData):
+            return _VALUE.__get__(value)
+        if issubclass(kind, np.generic) and kind.__module__ == "numpy":
+            return value.item()
+        value = getattr_static(value, "_as_parameter_", None)
+        if value is None:
+            raise TypeError(f"a {kind.__name__} is not a number that can be known")
     raise TypeError("what stands for the argument is itself")
 
 
@@ -68,13 +87,14 @@ def address_of(value: Any) -> int:
     that cannot be told."""
     if value is None:
         return 0
-    if isinstance(value, int):
-        return value
-    if isinstance(value, ctypes.c_void_p):
-        return value.value or 0
-    if isinstance(value, np.ndarray):
-        return int(value.__array_interface__["data"][0])
-    if isinstance(value, (str, list, tuple)):  # PyOpenGL made a copy of it, which is gone
+    kind = type(value)
+    if issubclass(kind, int):
+        return int.__index__(value)
+    if issubclass(kind, ctypes.c_void_p):
+        return _VALUE.__get__(value) or 0
+    if issubclass(kind, np.ndarray):
+        return int(_INTERFACE.__get__(value)["data"][0])
+    if issubclass(kind, (str, list, tuple)):  # PyOpenGL made a copy of it, which is gone
         raise TypeError(f"a {type(value).__name__} has no address")
     try:
         return int(ctypes.cast(value, ctypes.c_void_p).value or 0)  # all of ctypes; bytes
@@ -84,6 +104,9 @@ def address_of(value: Any) -> int:
     from OpenGL.arrays import ArrayDatatype
 
     try:
+        handler = ArrayDatatype.getHandler(value)
+        if type(handler).__module__.partition(".")[0] not in _OWN:
+            raise TypeError("the program has a handler of its own")
         return int(ArrayDatatype.voidDataPointer(value).value or 0)
     except Exception as error:  # of whatever handler PyOpenGL has for it
         if not is_ours(error):

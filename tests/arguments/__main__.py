@@ -35,12 +35,9 @@ def main() -> int:
                 for t in ("Traceback", "glshim: fault", "switched off")
                 if t in styled.said and t not in plain.said
             ]
-            print(
-                f"{flags}, {style}: {len(plain.came)} of {plain.total} cases, {len(differ)} differ, "
-                f"{len(plain.crashed)} end plain PyOpenGL, {len(styled.crashed)} more end it styled "
-                f"{faults or ''}",
-                flush=True,
-            )
+            ended = f"{len(plain.crashed)} end plain PyOpenGL, {len(styled.crashed)} more under it"
+            print(f"{flags}, {style}: {len(plain.came)} of {plain.total} cases,", end=" ")
+            print(f"{len(differ)} differ, {ended} {faults or ''}", flush=True)
             for at in [*styled.crashed, *differ][: given.show]:
                 print(f"  {at} {plain.cases[at]}")
                 print(f"    {plain.came.get(at)}\n    {styled.came.get(at)}")

@@ -87,7 +87,9 @@ def element_of(kind: Any) -> np.dtype[Any] | None:
         with suppress(Exception):
             return np.dtype(base)
         return np.dtype(np.uint8)
-    if hasattr(kind, "asArray") or (isinstance(kind, type) and issubclass(kind, ctypes._Pointer)):
+    if kind is ctypes.c_void_p or hasattr(kind, "asArray"):
+        return np.dtype(np.uint32)
+    if isinstance(kind, type) and issubclass(kind, ctypes._Pointer):
         return np.dtype(np.uint32)
     return None
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from struct import Struct
 from typing import Any
 
-from numpy import ndarray
+from numpy import zeros
 
 from glshim.bindings.pyopengl.raw import Call
 from glshim.bindings.pyopengl.record import Record
@@ -25,9 +25,8 @@ ELEMENTS: dict[str, Any] = {
 """C types by the type letters of attributes, and of an enum."""
 _FORMATS = {"f": "f", "d": "d", "i": "i", "s": "h", "u": "B", "b": "B", "e": "I"}
 """The same in the language of struct."""
-
-
-_SEQUENCES = (list, tuple, ndarray)
+_SEQUENCES: tuple[Any, ...] = ([], (), zeros(0))
+"""One of each."""
 _PYOPENGL = ("OpenGL", "OpenGL_accelerate")
 
 
@@ -36,11 +35,11 @@ def sequences(record: Record) -> frozenset[type]:
     long as the primitive is open, the record knows it."""
     from OpenGL.arrays.arraydatatype import ArrayDatatype
 
-    handlers = map(ArrayDatatype.getRegistry().get, _SEQUENCES)
+    handlers = map(ArrayDatatype.getHandler, _SEQUENCES)
     record.sequences = found = frozenset(
-        kind
-        for kind, handler in zip(_SEQUENCES, handlers, strict=True)
-        if handler is None or type(handler).__module__.partition(".")[0] in _PYOPENGL
+        type(one)
+        for one, handler in zip(_SEQUENCES, handlers, strict=True)
+        if type(handler).__module__.partition(".")[0] in _PYOPENGL
     )
     return found
 
@@ -55,37 +54,6 @@ def integers() -> frozenset[type]:
 def layout(letter: str, size: int) -> Struct:
     """So many numbers of one type, as they lie in memory."""
     return Struct(f"@{size}{_FORMATS[letter]}")
-
-
-class Handlers:
-    """Which handlers of arrays PyOpenGL has: its own, or some of the program's."""
-
-    def __init__(self) -> None:
-        self._get: Callable[[type], Any] | None = None
-        self._seen: tuple[Any, ...] = ()
-        self._sequences: frozenset[type] = frozenset()
-
-    def sequences(self) -> frozenset[type]:
-        """Those of list, tuple and array that its own convert."""
-        get = self._get or self._look_up()
-        seen = get(list), get(tuple), get(ndarray)
-        if seen != self._seen:
-            self._seen = seen
-            self._sequences = frozenset(
-                kind
-                for kind, handler in zip(_SEQUENCES, seen, strict=True)
-                if handler is None or type(handler).__module__.partition(".")[0] in _PYOPENGL
-            )
-        return self._sequences
-
-    def _look_up(self) -> Callable[[type], Any]:
-        from OpenGL.arrays.arraydatatype import ArrayDatatype
-
-        self._get = get = ArrayDatatype.getRegistry().get
-        return get  # type: ignore[no-any-return]
-
-
-HANDLERS = Handlers()
 
 
 def function_of(real: Call) -> Any:

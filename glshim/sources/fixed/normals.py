@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from glshim.model.batch import PolygonBatch
+from glshim.sources.arguments import integer_of
 from glshim.sources.fixed.pointers import dtype_of, numbers_at
 from glshim.spec.attributes import (
     BY_NAME,
@@ -86,7 +87,7 @@ def said(name: str, args: tuple[Any, ...]) -> bytes:
     try:
         if not call.packed:
             return record(mapped(_values(call, args, 3)))
-        type_ = _integer(args[0])
+        type_ = integer_of(args[0])
         (packed,) = _values(call, args[1:], 1).tolist()
     except Exception as error:  # the driver took what we cannot read
         if not is_ours(error):
@@ -99,13 +100,8 @@ def _values(call: NormalCall, args: tuple[Any, ...], count: int) -> NDArray[Any]
     """(count,) the numbers that the driver took: arguments, or what a vector form points to."""
     if call.vector:
         return numbers_at(args[0], call.letters, count)
-    wide = np.array([_integer(value) for value in args[:count]], np.int64)
+    wide = np.array([integer_of(value) for value in args[:count]], np.int64)
     return wide.astype(dtype_of(call.letters))  # wraps, as C does
-
-
-def _integer(value: Any) -> int:
-    """A number, or one of ctypes'."""
-    return int(getattr(value, "value", value))
 
 
 def normals(stream: bytes) -> Floats | None:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.sources.arguments import address_of
+from glshim.sources.arguments import address_of, reals_of
 from glshim.system import memory
 
 _DTYPES: dict[str, type[np.generic]] = {
@@ -25,8 +25,8 @@ def numbers_at(value: Any, letters: str, count: int) -> NDArray[Any]:
     """(count,) a copy of the numbers that a vector form is given, of the type of its letters.
     Raises TypeError where they cannot be had."""
     dtype = dtype_of(letters)
-    if isinstance(value, (list, tuple)):
-        given = np.array(value).reshape(-1)[:count].astype(dtype)
+    if type(value) is list or type(value) is tuple:
+        given = np.array(reals_of(value)[:count]).astype(dtype)
         if len(given) < count:
             raise TypeError(f"{len(given)} numbers are given where {count} are needed")
         return given
