@@ -155,11 +155,6 @@ def has_pauses() -> bool:
     return _has((4, 0), "GL_ARB_transform_feedback2")
 
 
-def has_pipelines() -> bool:
-    """Whether there are program pipelines."""
-    return _has((4, 1), "GL_ARB_separate_shader_objects")
-
-
 def _has(since: Version, extension: str) -> bool:
     told = version_text()
     number = _number(told)

@@ -4,9 +4,20 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
+from itertools import zip_longest
+from typing import Any
 
 from tests.arguments import FLAGS, told
+
+
+def difference(one: str | None, other: str | None) -> list[tuple[Any, Any]]:
+    """Where what came of a case differs."""
+    if one is None or other is None:
+        return [(one, other)]
+    pairs = zip_longest(json.loads(one), json.loads(other))
+    return [pair for pair in pairs if pair[0] != pair[1]]
 
 
 def main() -> int:
@@ -40,7 +51,8 @@ def main() -> int:
             print(f"{len(differ)} differ, {ended} {faults or ''}", flush=True)
             for at in [*styled.crashed, *differ][: given.show]:
                 print(f"  {at} {plain.cases[at]}")
-                print(f"    {plain.came.get(at)}\n    {styled.came.get(at)}")
+                for one, other in difference(plain.came.get(at), styled.came.get(at)):
+                    print(f"    plain: {one}\n    under it: {other}")
             if faults:
                 print(styled.said[-2000:])
             bad += len(differ) + len(styled.crashed) + len(faults)

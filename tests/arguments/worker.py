@@ -197,6 +197,10 @@ def run(case: Case) -> list[Any]:
     kinds.CALLS.clear()
     args = [make() if callable(make) else make for make in makes]
     found: list[Any] = []
+    GL.glColor4f(1, 1, 1, 1)
+    GL.glNormal3f(0, 0, 1)
+    GL.glTexCoord2f(0, 0)
+    GL.glEdgeFlag(True)
     if place == "fed back":
         GL.glFeedbackBuffer(200, GL.GL_4D_COLOR_TEXTURE)
         GL.glRenderMode(GL.GL_FEEDBACK)
