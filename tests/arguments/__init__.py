@@ -61,7 +61,7 @@ def told(
     while True:
         given = json.dumps({"flags": FLAGS[flags], "count": count, "seed": seed, "first": first,
                             "everything": everything, "handler": handler,
-                            "skipped": [*skipped, *found.crashed]})  # fmt: skip
+                            "skipped": skipped})  # fmt: skip
         done = subprocess.run([sys.executable, str(WORKER), given], capture_output=True, text=True,
                               check=False, env=environment, errors="replace")  # fmt: skip
         found.said += done.stderr
@@ -78,6 +78,10 @@ def told(
                 found.came[int(number)] = text
         if done.stdout.endswith("alive\n"):
             return found
+        end = done.stdout.rpartition("\n")[0].rpartition("\n")[2]
+        if end.startswith("again "):
+            first = int(end.removeprefix("again "))
+            continue
         if last < first or done.returncode > 0:
             raise RuntimeError(done.stderr[-3000:])
         found.crashed.append(last)

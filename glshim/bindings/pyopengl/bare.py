@@ -40,4 +40,4 @@ def watch(record: Record) -> Callable[[], None]:
 
 
 def _is_ordered(name: Any) -> bool:
-    return isinstance(name, str) and name.startswith("gl") and role_of(name) in _ORDERED
+    return isinstance(name, str) and role_of(name) in _ORDERED
