@@ -67,9 +67,12 @@ def main() -> int:
 
 def _alike(seed: int, steps: int, context: str, styles: list[str]) -> bool:
     plain = transcript(seed, steps, context, None)
-    if plain != transcript(seed, steps, context, None):
-        print(f"seed {seed}: two plain runs differ")
-        return True
+    again = transcript(seed, steps, context, None)
+    if again != plain:  # PyOpenGL asks the driver when it first loads a function
+        plain = again
+        if plain != transcript(seed, steps, context, None):
+            print(f"seed {seed}: two plain runs differ")
+            return True
     for style in styles:
         found = transcript(seed, steps, context, style)
         if style != "none":

@@ -108,6 +108,12 @@ def other_programs() -> tuple[int, ...]:
     )
 
 
+def has_pipelines() -> bool:
+    """Whether there are program pipelines."""
+    since, extensions = _OTHER_PROGRAMS[GL_PROGRAM_PIPELINE_BINDING]
+    return _has(since, *extensions)
+
+
 def has_framebuffers() -> bool:
     """Whether there are framebuffer objects: since 3.0, and where older versions were extended."""
     return _has((3, 0), _FRAMEBUFFERS)

@@ -15,6 +15,7 @@ SIGNATURES: dict[str, str] = {
     "glBindBufferBase": "uuu",
     "glBindFramebuffer": "uu",
     "glBindFramebufferEXT": "uu",
+    "glBindProgramPipeline": "u",
     "glBindRenderbuffer": "uu",
     "glBindRenderbufferEXT": "uu",
     "glBindTexture": "uu",

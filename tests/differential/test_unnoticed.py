@@ -6,15 +6,19 @@ import ctypes
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import glfw
 import pytest
 from OpenGL import GL
 from OpenGL.GL.ARB.pipeline_statistics_query import GL_VERTICES_SUBMITTED_ARB
 
+from glshim.bindings.pyopengl import forward
 from glshim.spec import errorflag
 from glshim.spec.driver import gl
+from glshim.spec.queries import counting
 from glshim.spec.unnoticed import Unnoticed
 from glshim.styling import registry
 from tests import sweep
@@ -131,7 +135,7 @@ def cube_and_hud() -> None:
                                     GL_VERTICES_SUBMITTED_ARB])  # fmt: skip
 def test_a_layer_that_ends_under_a_query_is_drawn_after_it(target: int) -> None:
     def scene(app: App) -> None:
-        app.kept.append(counted(int(target), cube_and_hud))
+        app.saw.append(str(counted(int(target), cube_and_hud)))
 
     outcome = run(scene, VISIBLE)
     assert run(scene).differences(outcome, pictures=False) == {}
@@ -149,7 +153,7 @@ def test_lines_that_would_be_counted_are_left_out(capfd: pytest.CaptureFixture[s
             cube()
             glfw.swap_buffers(glfw.get_current_context())
 
-        app.kept.append(counted(int(GL.GL_SAMPLES_PASSED), frame))
+        app.saw.append(str(counted(int(GL.GL_SAMPLES_PASSED), frame)))
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
         cube()
 
@@ -168,7 +172,7 @@ def test_times_count_nothing_of_ours() -> None:
     assert inked(run(scene, VISIBLE)) > 100
 
 
-def test_large_primitives_are_not_shared_out() -> None:
+def test_large_primitives_are_not_shared_out(monkeypatch: pytest.MonkeyPatch) -> None:
     """Which way a quad is cut depends on what else is drawn with it, and counts on how often."""
 
     def fence(mode: int) -> None:
@@ -187,22 +191,34 @@ def test_large_primitives_are_not_shared_out() -> None:
             for mode in range(10):
                 GL.glClear(GL.GL_COLOR_BUFFER_BIT)
                 fence(mode)
-                app.kept.append(GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE))
+                app.saw.append(str(GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)))
         for mode in range(10):
-            app.kept.append(counted(GL_VERTICES_SUBMITTED_ARB, lambda mode=mode: fence(mode)))
+            app.saw.append(str(counted(GL_VERTICES_SUBMITTED_ARB, partial(fence, mode))))
 
+    drawn = []
+    draw = forward._arrays_drawn
+
+    def spy(mode: int, *more: Any) -> Any:
+        drawn.append((mode, counting()))
+        return draw(mode, *more)
+
+    monkeypatch.setattr(forward, "_arrays_drawn", spy)
     plain, outcome = run(scene), run(scene, "none")
     assert plain.differences(outcome) == {}
+    # By one vertex said before: drivers may count those of primitives that are not complete.
+    assert {under_a_query for _, under_a_query in drawn} == {False}
+    assert len(drawn) >= 12
 
 
 # -- conditional rendering, transform feedback -----------------------------------------------------
 
 
-def nothing_seen() -> int:
-    """A query that found nothing."""
+def counted_of(draw: Callable[[], None]) -> int:
+    """A query of the samples of a draw."""
     name = ctypes.c_uint()
     gl.glGenQueries(1, ctypes.byref(name))
     GL.glBeginQuery(GL.GL_SAMPLES_PASSED, name.value)
+    draw()
     GL.glEndQuery(GL.GL_SAMPLES_PASSED)
     return name.value
 
@@ -211,7 +227,7 @@ def nothing_seen() -> int:
 def test_conditional_rendering_holds_for_the_program_alone(swaps: bool) -> None:
     def conditional(app: App) -> None:
         cube()
-        GL.glBeginConditionalRender(nothing_seen(), GL.GL_QUERY_WAIT)
+        GL.glBeginConditionalRender(counted_of(lambda: None), GL.GL_QUERY_WAIT)
         GL.glColor3f(1.0, 0.0, 0.0)
         GL.glRectf(-2.0, -2.0, 2.0, 2.0)  # is not drawn
         if swaps:
@@ -230,23 +246,98 @@ def test_conditional_rendering_holds_for_the_program_alone(swaps: bool) -> None:
     assert (outcome.picture == expected.picture).all()
 
 
-def test_a_list_may_begin_it_unseen() -> None:
+def test_a_list_may_end_it_and_begin_another_unseen() -> None:
     def scene(app: App) -> None:
-        query = nothing_seen()
+        nothing, something = counted_of(lambda: None), counted_of(cube)
         GL.glNewList(1, GL.GL_COMPILE)
-        GL.glBeginConditionalRender(query, GL.GL_QUERY_WAIT)
-        GL.glEndList()
-        GL.glNewList(2, GL.GL_COMPILE)
         GL.glEndConditionalRender()
+        GL.glBeginConditionalRender(something, GL.GL_QUERY_WAIT)
         GL.glEndList()
-        for _ in range(2):
-            GL.glCallList(1)
-            cube()
-            hud()
-            GL.glCallList(2)
-            app.error()
-            cube()
+        cube()
+        GL.glBeginConditionalRender(nothing, GL.GL_QUERY_WAIT)
+        GL.glCallList(1)
+        cube()
+        hud()
+        GL.glDisable(GL.GL_DEPTH_TEST)
+        GL.glRotatef(-90.0, 1.0, 1.0, 0.0)
+        app.saw.append(str(counted(int(GL.GL_SAMPLES_PASSED), lambda: GL.glRectf(-1, -1, 1, 1))))
+        assert app.saw[-1] != "0"  # by the second
+        GL.glEndConditionalRender()
+        app.error()
 
     outcome = run(scene, VISIBLE)
     assert run(scene).differences(outcome, pictures=False) == {}
     assert inked(outcome) > 100
+
+
+# -- what is in use when a layer ends --------------------------------------------------------------
+
+GREEN = "void main() { gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0); }"
+MOVED = "varying vec4 seen; void main() { seen = gl_Position = ftransform() + vec4(0.3); }"
+
+
+def _program(*texts: tuple[int, str], varyings: bytes = b"") -> int:
+    name = int(GL.glCreateProgram())
+    GL.glProgramParameteri(name, GL.GL_PROGRAM_SEPARABLE, GL.GL_TRUE)
+    for kind, text in texts:
+        shader = GL.glCreateShader(kind)
+        GL.glShaderSource(shader, "#version 120\n" + text)
+        GL.glCompileShader(shader)
+        GL.glAttachShader(name, shader)
+    if varyings:
+        names = (ctypes.c_char_p * 1)(varyings)
+        pointers = ctypes.cast(names, ctypes.POINTER(ctypes.POINTER(ctypes.c_char)))
+        GL.glTransformFeedbackVaryings(name, 1, pointers, GL.GL_INTERLEAVED_ATTRIBS)
+    GL.glLinkProgram(name)
+    assert GL.glGetProgramiv(name, GL.GL_LINK_STATUS)
+    return name
+
+
+def _pipeline(app: App) -> None:
+    pipeline = GL.glGenProgramPipelines(1)
+    GL.glUseProgramStages(pipeline, GL.GL_FRAGMENT_SHADER_BIT,
+                          _program((GL.GL_FRAGMENT_SHADER, GREEN)))  # fmt: skip
+    GL.glBindProgramPipeline(pipeline)
+
+
+def _deleted(app: App) -> None:
+    program = _program((GL.GL_FRAGMENT_SHADER, GREEN))
+    GL.glUseProgram(program)
+    GL.glDeleteProgram(program)
+
+
+def _capture(app: App) -> None:
+    GL.glUseProgram(_program((GL.GL_VERTEX_SHADER, MOVED), varyings=b"seen"))
+    room = GL.glGenBuffers(1)
+    GL.glBindBuffer(GL.GL_TRANSFORM_FEEDBACK_BUFFER, room)
+    GL.glBufferData(GL.GL_TRANSFORM_FEEDBACK_BUFFER, 4096, bytes(4096), GL.GL_STATIC_DRAW)
+    GL.glBindBufferBase(GL.GL_TRANSFORM_FEEDBACK_BUFFER, 0, room)
+    GL.glBeginTransformFeedback(GL.GL_TRIANGLES)
+
+
+@pytest.mark.parametrize("style", [VISIBLE, "two_pass:ink=#e8641b"])
+@pytest.mark.parametrize("use", [_pipeline, _capture, _deleted])
+def test_what_is_in_use_when_a_layer_ends_stays_so(use: Callable[[App], None], style: str) -> None:
+    def scene(app: App) -> None:
+        cube()
+        use(app)
+        GL.glReadPixels(0, 0, 96, 72, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        GL.glBegin(GL.GL_TRIANGLES)
+        for point in ((-2, -1, 0), (-1.5, -1, 0), (-1.8, 0, 0)):
+            GL.glVertex3f(*point)
+        GL.glEnd()
+        if use is _capture:
+            GL.glEndTransformFeedback()
+            held = (ctypes.c_ubyte * 4096)()
+            gl.glGetBufferSubData(GL.GL_TRANSFORM_FEEDBACK_BUFFER, 0, 4096, held)
+            app.saw.append(str(bytes(held)))
+            assert any(held)
+        app.asks(GL.GL_CURRENT_PROGRAM)
+        app.error()
+        GL.glUseProgram(0)
+        GL.glBindProgramPipeline(0)
+
+    outcome = run(scene, style)
+    assert run(scene).differences(outcome, pictures=False) == {}
+    if use is not _deleted:
+        assert inked(outcome) > 60

@@ -22,6 +22,7 @@ from glshim.spec.constants import (
     GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
     GL_NO_ERROR,
     GL_PRIMITIVE_RESTART,
+    GL_PROGRAM_PIPELINE_BINDING,
     GL_RASTERIZER_DISCARD,
     GL_READ_FRAMEBUFFER,
     GL_READ_FRAMEBUFFER_BINDING,
@@ -32,7 +33,7 @@ from glshim.spec.constants import (
     GL_TEXTURE_CUBE_MAP_SEAMLESS,
     GL_VERTEX_ARRAY_BINDING,
 )
-from glshim.spec.context import has_framebuffers, has_vertex_arrays, version
+from glshim.spec.context import has_framebuffers, has_pipelines, has_vertex_arrays, version
 from glshim.spec.driver import gl
 from glshim.spec.unnoticed import Unnoticed
 
@@ -79,7 +80,8 @@ class Guard:
     """
 
     __slots__ = (
-        "_array", "_framebuffers", "_mode", "_program", "_switches", "_texture", "_unnoticed",
+        "_array", "_framebuffers", "_mode", "_pipeline", "_program", "_switches", "_texture",
+        "_unnoticed",
     )  # fmt: skip
 
     def __enter__(self) -> Guard:
@@ -95,6 +97,7 @@ class Guard:
     def _save(self) -> None:
         number = version() or (1, 1)
         self._program = integer(GL_CURRENT_PROGRAM) if number >= (2, 0) else None
+        self._pipeline = integer(GL_PROGRAM_PIPELINE_BINDING) if has_pipelines() else 0
         framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
         self._framebuffers = [integer(name) for name in framebuffers]
         self._mode = integer(GL_MATRIX_MODE)
@@ -102,6 +105,8 @@ class Guard:
         self._array = integer(GL_VERTEX_ARRAY_BINDING) if has_vertex_arrays() else None
         asked = ((switch, is_enabled(switch)) for switch in _SWITCHES)
         self._switches = [known for known in asked if gl.glGetError() == GL_NO_ERROR]
+        if self._pipeline:  # which is in use where no program is
+            gl.glBindProgramPipeline(0)
         if self._array:
             gl.glBindVertexArray(0)
         gl.glPushAttrib(GL_ALL_ATTRIB_BITS)
@@ -121,6 +126,8 @@ class Guard:
     def _restore(self) -> None:
         if self._program is not None:
             gl.glUseProgram(self._program)
+        if self._pipeline:
+            gl.glBindProgramPipeline(self._pipeline)
         if self._framebuffers:
             draw, read, renderbuffer = self._framebuffers
             gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw)
