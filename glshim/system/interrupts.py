@@ -11,6 +11,7 @@ import _signal  # type: ignore[import-not-found]
 import ctypes
 from collections import deque
 from collections.abc import Callable, Iterable
+from functools import partial
 from itertools import chain, repeat
 from operator import methodcaller
 from threading import get_ident, main_thread
@@ -67,6 +68,20 @@ class Held:
     def __exit__(self, *_: object) -> None:
         if self._holds:
             _release()
+
+
+def raiser(error: BaseException) -> Callable[[], Any]:
+    """What, called by C in this thread, has the error raised in the code of Python's that C returns
+    to, as a signal handler would raise it there. Called by Python it raises at once."""
+
+    class Late(BaseException):
+        """Which Python makes an instance of when the time has come, and gets the error."""
+
+        def __new__(cls) -> Any:
+            return error
+
+    thread = ctypes.c_ulong(get_ident())
+    return partial(ctypes.pythonapi.PyThreadState_SetAsyncExc, thread, ctypes.py_object(Late))
 
 
 _depth = 0

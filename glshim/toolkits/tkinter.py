@@ -17,7 +17,7 @@ from dataclasses import replace
 from types import FrameType
 from typing import Any, ClassVar
 
-from glshim.system.interrupts import Held
+from glshim.system.interrupts import Held, raiser
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
 from glshim.toolkits.frames import Drawable, Size
@@ -26,6 +26,19 @@ from glshim.toolkits.moment import MOMENT, Moment
 SWAP, MAKE_CURRENT = "swapbuffers", "makecurrent"
 TAG = "glshim"
 """The bind tag of our keys; Tcl commands of ours lie in a namespace of that name."""
+RAISED: list[BaseException] = []
+"""By signal handlers of the app's while a trace runs: it is to leave the app's own call of Togl,
+once that is over."""
+TRIES = 9
+"""Signals of the app's that may come, one after another, as a trace begins."""
+FOLLOW = f"""namespace eval {TAG} {{
+    proc follow {{name args}} {{
+        set tries {TRIES}
+        while {{[incr tries -1] && [catch {{$name {{*}}$args}} left]}} {{catch caught}}
+        if {{$left eq "late"}} late
+    }}
+}}"""
+"""What a trace calls: a handler of the app's may raise before the first bytecode of ours."""
 _KEYS = {
     **{name: name for name in keyboard.NAMES}, **{name.lower(): name for name in keyboard.NAMES},
     "Prior": "PageUp", "Next": "PageDown",
@@ -191,7 +204,8 @@ class Togl:
         self._ending = frames.Ending()
         self._other: Any = None
         """The widget that is current while this one's picture is shown, if that is another."""
-        self._tk.eval(f"namespace eval {TAG} {{}}")
+        self._tk.eval(FOLLOW)
+        self._tk.createcommand(f"::{TAG}::caught", self._catch)
         self._tk.createcommand(self._name, self._traced)
         gone = f"rename {self._name} {{}} ;#"
         self._tk.call("trace", "add", "command", self._path, "delete", gone)
@@ -207,26 +221,50 @@ class Togl:
             self._call_trace("remove")
 
     def _call_trace(self, what: str) -> None:
-        self._tk.call("trace", what, "execution", self._path, "enter leave", self._name)
+        self._tk.call("trace", what, "execution", self._path, "enter leave",
+                      f"::{TAG}::follow {self._name}")
 
-    def _traced(self, command: str, *how: str) -> None:
+    def _traced(self, command: str, *how: str) -> str:
+        """What is left to do: nothing, or to raise what a signal handler of the app's raised."""
         widget, words = self._widget(), self._tk.splitlist(command)
         if widget is None or len(words) < 2:
-            return
+            return ""
         leaves, fails = how[-1] == "leave", how[0] not in ("0", "enter")
         # Togl takes the beginning of a word for the word.
         if MAKE_CURRENT.startswith(words[1]) and leaves and not fails:
             self._toolkit.contexts[widget] = _context()
-        elif SWAP.startswith(words[1]) and leaves:
-            try:
-                self._ending.finish(RuntimeError(how[1]) if fails else None)
-            finally:
-                _be_current(self._other)
         elif SWAP.startswith(words[1]):
-            self._other = self._other_than(widget) if frames.listening() else None
-            if self._other is not None:
-                _be_current(widget)
-            self._ending.begin(self._toolkit.drawable(widget))
+            try:
+                if leaves:
+                    self._finish(RuntimeError(how[1]) if fails else None)
+                else:
+                    self._begin(widget)
+            except BaseException as error:  # Tcl would make an error of its own of it
+                RAISED.append(error)
+            if leaves and RAISED:
+                self._tk.createcommand(f"::{TAG}::late", raiser(RAISED[0]))
+                RAISED.clear()
+                return "late"
+        return ""
+
+    def _catch(self) -> None:
+        """Take back what tkinter keeps for its main loop: a loop that ends at once raises it."""
+        try:
+            self._tk.mainloop(sys.maxsize >> 32)
+        except BaseException as error:
+            RAISED.append(error)
+
+    def _begin(self, widget: Any) -> None:
+        self._other = self._other_than(widget) if frames.listening() else None
+        if self._other is not None:
+            _be_current(widget)
+        self._ending.begin(self._toolkit.drawable(widget))
+
+    def _finish(self, error: Exception | None) -> None:
+        try:
+            self._ending.finish(error)
+        finally:
+            _be_current(self._other)
 
     def _other_than(self, widget: Any) -> Any:
         """What is current when it is not the widget that is to be shown: Togl shows any, and a

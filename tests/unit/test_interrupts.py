@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from glshim.system.interrupts import Held, at_once, is_ours
+from glshim.system.interrupts import Held, at_once, is_ours, raiser
 
 
 class Timeout(Exception):
@@ -159,3 +159,13 @@ def test_calls_at_once_are_made_in_turn() -> None:
     made: list[int] = []
     at_once([partial(made.append, number) for number in range(5)])
     assert made == [0, 1, 2, 3, 4]
+
+
+def test_an_error_is_raised_where_c_returns_to() -> None:
+    """The very one, once."""
+    error, done = KeyError("the program's"), []
+    calls = [raiser(error), partial(done.append, "all calls are made")]
+    with pytest.raises(KeyError) as caught:
+        at_once(calls)
+    assert caught.value is error
+    assert done == ["all calls are made"]

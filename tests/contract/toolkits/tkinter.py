@@ -7,7 +7,7 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-from glshim.toolkits.tkinter import TAG, Tk
+from glshim.toolkits.tkinter import FOLLOW, TAG, Tk
 
 from .rig import SIZE, Rig
 
@@ -27,7 +27,7 @@ class Interpreter:
         self.bindings: dict[str, str] = {}
 
     def eval(self, script: str) -> None:
-        assert script == f"namespace eval {TAG} {{}}"
+        assert script in (FOLLOW, f"namespace eval {TAG} {{}}")
 
     def createcommand(self, name: str, function: Callable[..., Any]) -> None:
         self.commands[name] = function
@@ -41,9 +41,9 @@ class Interpreter:
         if words[0] == "bind":
             self.bindings[words[2]] = words[3]
         elif words[:3] == ("trace", "add", "execution"):
-            self.traces.append((words[3], words[-1]))
+            self.traces.append((words[3], words[-1].split()[-1]))
         elif words[:3] == ("trace", "remove", "execution"):
-            self.traces.remove((words[3], words[-1]))
+            self.traces.remove((words[3], words[-1].split()[-1]))
         elif words[1] == "swapbuffers":
             return self.traced("swapbuffers", self.swap, words[0])
         elif words[1] == "makecurrent":

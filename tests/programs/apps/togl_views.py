@@ -32,3 +32,4 @@ for view in views:
 root.update()
 draw()
 root.mainloop()
+print("the main loop has returned", flush=True)
