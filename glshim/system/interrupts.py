@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import _signal  # type: ignore[import-not-found]
 import ctypes
+import sys
 from collections import deque
 from collections.abc import Callable, Iterable
 from functools import partial
@@ -74,14 +75,15 @@ def raiser(error: BaseException) -> Callable[[], Any]:
     """What, called by C in this thread, has the error raised in the code of Python's that C returns
     to, as a signal handler would raise it there. Called by Python it raises at once."""
 
-    class Late(BaseException):
-        """Which Python makes an instance of when the time has come, and gets the error."""
+    def make(cls: Any, *_: object) -> BaseException:
+        return error
 
-        def __new__(cls) -> Any:
-            return error
-
+    # Python makes an instance of a class when the time has come. Before 3.11 it is the class that
+    # handlers are looked for by.
+    kind = type(error) if sys.version_info < (3, 11) else BaseException
+    late = type("Late", (kind,), {"__new__": make})
     thread = ctypes.c_ulong(get_ident())
-    return partial(ctypes.pythonapi.PyThreadState_SetAsyncExc, thread, ctypes.py_object(Late))
+    return partial(ctypes.pythonapi.PyThreadState_SetAsyncExc, thread, ctypes.py_object(late))
 
 
 _depth = 0
