@@ -43,7 +43,7 @@ class Gtk(Toolkit):
     """It calls back from C, where an exception is printed and the loop goes on."""
 
     name, package, distribution = "GTK", "gi", "PyGObject"
-    tested = "GTK 3.24 and 4.8 on X"
+    tested = "GTK 3.24 and 4.8 on X and Wayland"
     may_raise = False
     hears_threads = True
     lacks: ClassVar[Lacks] = {Part.CLOCK: "GLib's timeouts and GTK's frame clock run on"}

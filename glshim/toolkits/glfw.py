@@ -30,7 +30,7 @@ class Glfw(Toolkit):
 
     name = package = "glfw"
     hears_threads = True
-    tested = "glfw 2.11 on X"
+    tested = "glfw 2.11 on X and Wayland"
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "glfw", self.hook_swaps, "glfw.swap_buffers")

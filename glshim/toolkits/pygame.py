@@ -26,7 +26,7 @@ class Pygame(Toolkit):
 
     name = package = "pygame"
     hears_threads = True
-    tested = "pygame 2.6 on X"
+    tested = "pygame 2.6 on X and Wayland"
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "pygame.display", self.hook_presents, "pygame.display.flip")

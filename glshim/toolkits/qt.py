@@ -41,7 +41,8 @@ KEY_PRESS, KEY_RELEASE, SHORTCUT_OVERRIDE = 6, 7, 51
 the key itself."""
 
 _TESTED = {
-    "PyQt5": "PyQt5 5.15.11 on X", "PyQt6": "PyQt6 6.11 on X", "PySide6": "PySide6 6.12 on X",
+    "PyQt5": "PyQt5 5.15.11 on X and Wayland", "PyQt6": "PyQt6 6.11 on X",
+    "PySide6": "PySide6 6.12 on X and Wayland",
 }  # fmt: skip
 
 
