@@ -61,7 +61,7 @@ class Stage:
         self._heard: list[str] = []
         memory = self._memory
         self.space: dict[str, Any] = {
-            "GL": GL, "GLU": GLU, "np": np, "ctypes": ctypes,
+            "__name__": "__main__", "GL": GL, "GLU": GLU, "np": np, "ctypes": ctypes,
             "floats": memory.floats, "doubles": memory.doubles, "octets": memory.octets,
             "indices": memory.indices, "room": memory.room, "keep": memory.keep,
             "other": self.other, "strike": things.strike,
