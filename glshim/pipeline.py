@@ -31,6 +31,7 @@ from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.styling.enlarging import enlarged
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Colour, Layer, Pass, Styler
+from glshim.system import modules
 from glshim.system.ending import at_end
 from glshim.toolkits import Part, frames
 
@@ -145,6 +146,8 @@ class Pipeline:
                 raise
             say_fault(f"style {self._name!r} fails and is switched off: {error!r}", error)
             self.use_style(None)
+        finally:
+            modules.hide()
 
     def _put_out(self, given: list[Given], layer: Layer, scene: Scene) -> None:
         self.counted.polygons += sum(batch.polygon_count for batch, _ in layer.items)

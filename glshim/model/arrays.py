@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ctypes
+
 import numpy as np
 import numpy.ma  # `np.unique` asks for it: loaded with us, not in a frame
 from numpy.typing import NDArray
@@ -21,3 +23,8 @@ Rows = NDArray[np.intp]
 Flags = NDArray[np.bool_]
 Keys = NDArray[np.uint64]
 """What is sorted or compared in place of something longer."""
+
+# numpy's C code looks for modules of numpy's the first time that it needs them. Now they are to be
+# found, whatever the program has under that name later (`glshim.system.modules`).
+np.zeros((1, 1)).max(axis=1).any()
+np.dtype(ctypes.c_int)

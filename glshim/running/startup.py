@@ -7,7 +7,7 @@ Python program that inherits the variables pays next to nothing.
 import os
 
 from glshim.bindings.imports import after_import
-from glshim.system.modules import OURS_ALONE
+from glshim.system.modules import OURS_ALONE, hide
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -58,6 +58,7 @@ def _watch_toolkit(module: "ModuleType") -> None:
     if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
         parts.append(Part.KEYS)
     watch_package(module.__name__, *parts)
+    hide()
 
 
 def _begin(module: "ModuleType") -> None:
@@ -65,3 +66,4 @@ def _begin(module: "ModuleType") -> None:
         from glshim.running.session import begin
 
     begin(_folder)
+    hide()

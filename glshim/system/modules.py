@@ -35,6 +35,8 @@ _hidden: "dict[str, ModuleType]" = {}
 """What our imports have brought: in `sys.modules` only while we import."""
 _found: "set[str]" = set()
 """First names that our imports have found since they began."""
+_staying: "set[str]" = set()
+"""Hidden ones that an import outside of `OURS_ALONE` has brought back: to `hide` again."""
 _theirs: "dict[str, ModuleType]" = {}
 """The program's modules that have names of ours, while we import."""
 _depths: "dict[int, int]" = {}
@@ -77,28 +79,30 @@ OURS_ALONE = Ours()
 
 
 def hide() -> None:
-    """Hide what had to stay for an import that began outside of `OURS_ALONE`."""
-    if _found and not _depths:
+    """Hide what imports of ours outside of `OURS_ALONE` have brought back. While none is under
+    way: as a layer or a frame ends."""
+    if _staying and not _depths:
+        _found.update(_staying)
+        _staying.clear()
         with OURS_ALONE:
             pass
 
 
 def _come_in() -> None:
     for name in [*_strangers(), *_hidden]:
-        if name in sys.modules:
+        if name in sys.modules and sys.modules[name] is not _hidden.get(name):
             _theirs[name] = sys.modules.pop(name)
     sys.modules.update(_hidden)
 
 
 def _go_out() -> None:
-    under_way = set()
-    for name in {*_hidden, *_found, *_theirs}:
+    for name in {*_hidden, *_found, *_theirs} - _staying:
         spec = getattr(sys.modules.get(name), "__spec__", None)
-        if getattr(spec, "_initializing", False):  # goes the next time
-            under_way.add(name)
+        if getattr(spec, "_initializing", False):  # in another thread
+            _staying.add(name)
         elif spec is not None:
             _hidden[name] = sys.modules.pop(name)
-    _found.intersection_update(under_way)
+    _found.clear()
     sys.modules.update(_theirs)
     _theirs.clear()
 
@@ -154,27 +158,32 @@ class Finder:
             return _ask_for(name, path, target) if name.partition(".")[0] in OURS else None
         if name in _SHARED:
             return None
-        importer, directly = _importer()
+        importer = _importer()
         if get_ident() in _depths or _is_ours(importer):
-            spec = _look(name, _path, target)
+            spec = self._of_ours(name, target)
             if spec is not None:
-                return spec if spec.origin in _AT_HAND else self._of_ours(spec, directly)
+                return spec
             if not str(importer.get("__name__")).startswith(STYLE_FILE):
                 raise ModuleNotFoundError(f"No module named {name!r}", name=name)
         return self._of_program(name, target)
 
-    def _of_ours(self, spec: "ModuleSpec", directly: bool) -> "ModuleSpec":
-        if get_ident() in _depths:
-            _found.add(spec.name)
-            return _alone(spec)
-        if spec.name not in _hidden:
-            with OURS_ALONE:
-                __import__(spec.name)
-        if spec.name not in _hidden:  # it cannot be
+    def _of_ours(self, name: str, target: "ModuleType | None") -> "ModuleSpec | None":
+        spec = _look(name, _path, target) if name not in _hidden else None
+        if spec is not None and spec.origin in _AT_HAND:
             return spec
-        _found.add(spec.name)
-        kind = _Passing if directly else _Known
-        return _known(_hidden[spec.name], kind(_hidden[spec.name]))
+        if get_ident() in _depths:
+            if spec is not None:
+                _found.add(name)
+                _alone(spec)
+            return spec
+        if spec is not None:
+            with OURS_ALONE:
+                __import__(name)
+        module = _hidden.get(name)
+        if module is None:
+            return None
+        _staying.add(name)  # C code, and the import of what lies below, look for it now
+        return _known(module, _Known(module))
 
     def _of_program(self, name: str, target: "ModuleType | None") -> "ModuleSpec | None":
         module = _hidden.get(name)
@@ -192,18 +201,15 @@ class Finder:
 FINDER = Finder()
 
 
-def _importer() -> "tuple[dict[str, Any], bool]":
-    """The globals of whoever imports, and whether it is the module itself that is asked for, not
-    one below it."""
+def _importer() -> "dict[str, Any]":
+    """The globals of whoever imports."""
     frame: FrameType | None = sys._getframe(2)
-    imports = 0
     while frame is not None and (
         frame.f_globals.get("__name__") in _MACHINERY
         or frame.f_code.co_filename.startswith("<frozen importlib")
     ):
-        imports += frame.f_code.co_name == "_find_and_load"
         frame = frame.f_back
-    return (frame.f_globals if frame is not None else {}), imports == 1
+    return frame.f_globals if frame is not None else {}
 
 
 def _is_ours(globals_: "dict[str, Any]") -> bool:
@@ -250,11 +256,8 @@ class _Known:
     def __init__(self, module: "ModuleType") -> None:
         self._module = module
         self._spec: Any = module.__spec__
-        self.spec: Any = None
-        """Of the import under way."""
 
     def create_module(self, spec: "ModuleSpec") -> "ModuleType":
-        self.spec = spec
         return self._module
 
     def exec_module(self, module: "ModuleType") -> None:
@@ -270,22 +273,6 @@ class _Given(_Known):
     def create_module(self, spec: "ModuleSpec") -> "ModuleType":
         _give(spec.name)
         return self._module
-
-
-class _Passing(_Known):
-    """Of ours, for one import outside of `OURS_ALONE`: it hides again as that ends."""
-
-    def exec_module(self, module: "ModuleType") -> None:
-        super().exec_module(module)
-        spec: Any = self.spec
-
-        class Watched(type(spec)):  # type: ignore[misc]
-            def __setattr__(self, name: str, value: object) -> None:
-                super().__setattr__(name, value)
-                if name == "_initializing" and not value and _hidden.get(self.name) is module:
-                    sys.modules.pop(self.name, None)
-
-        spec.__class__ = Watched
 
 
 def _known(module: "ModuleType", loader: _Known) -> "ModuleSpec":

@@ -180,7 +180,8 @@ def test_where_both_mean_the_same_file_there_is_one_module(tmp_path: Path) -> No
     assert (done.returncode, done.stderr) == (0, "")
     plain = run(sys.executable, tmp_path, SAME.partition("ours =")[0] + "print(*shown)")
     more = set(done.stdout.split()) - set(plain.stdout.split())
-    assert more <= {"_ast", "_cython_3_2_4", "cython_runtime", "ntpath"}  # which lie in no folder
+    more = {name for name in more if not name.startswith("_cython_")}
+    assert more <= {"_ast", "cython_runtime", "ntpath"}  # which lie in no folder
 
 
 def test_a_style_file_may_import_what_lies_in_the_programs_folder(tmp_path: Path) -> None:
