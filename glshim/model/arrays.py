@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
-
 import numpy as np
 import numpy.ma  # `np.unique` asks for it: loaded with us, not in a frame
 from numpy.typing import NDArray
@@ -27,4 +25,3 @@ Keys = NDArray[np.uint64]
 # numpy's C code looks for modules of numpy's the first time that it needs them. Now they are to be
 # found, whatever the program has under that name later (`glshim.system.modules`).
 np.zeros((1, 1)).max(axis=1).any()
-np.dtype(ctypes.c_int)

@@ -21,6 +21,8 @@ from glshim.spec.attributes import Attribute
 from glshim.system.interrupts import is_ours
 
 _DOUBLES = np.dtype(np.float64)
+_DTYPES = {letter: np.dtype(type_) for letter, type_ in ELEMENTS.items()}
+"""Made now: numpy loads a module for it, which later it might not find."""
 _HOME = "OpenGL.GL.VERSION.GL_1_0"
 """Where PyOpenGL wraps them."""
 
@@ -35,7 +37,7 @@ def vectors(state: Record, row: Attribute) -> Maker:
 def _any(state: Record, row: Attribute) -> Maker:
     tag, pack, name = row.tag, row.pack.pack, row.name + "v"
     convert = INTEGERS[row.type](row.size) if row.type in INTEGERS else None
-    dtypes = (np.dtype(ELEMENTS[row.type]),)
+    dtypes = (_DTYPES[row.type],)
 
     def make(base: Call) -> Call:
         own: Any = MISSING
@@ -67,7 +69,7 @@ def _any(state: Record, row: Attribute) -> Maker:
 
 def _floats(state: Record, row: Attribute) -> Maker:
     tag, pack, name = row.tag, row.pack.pack, row.name + "v"
-    real_types, dtypes = REALS, (np.dtype(ELEMENTS[row.type]), _DOUBLES)
+    real_types, dtypes = REALS, (_DTYPES[row.type], _DOUBLES)
 
     def make2(base: Call) -> Call:
         own: Any = MISSING
