@@ -137,7 +137,7 @@ class Pipeline:
         self._silence.layer_ends()
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
-            finished.lighting, self._destination.scale,
+            finished.lighting, self._destination.scale, finished.bare,
         )  # fmt: skip
         try:
             self._put_out(list(self._enlarged.draws(layer)), layer, scene)

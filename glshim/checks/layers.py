@@ -125,6 +125,9 @@ def odd() -> dict[str, Layer]:
         "a matrix that squashes everything": Layer(((cube(), seen.under(np.zeros((4, 4)))),)),
         "a matrix that is no number": Layer(((cube(), broken),)),
         "a layer over another": Layer(((cube(), seen),), over=True),
+        "a layer that is partly over another": Layer(
+            ((cube(), seen),), over=True, bare=((0, 0, 32, 200),)
+        ),
         "a layer on another's depth": Layer(((cube(), seen),), over=True, fresh=False),
         "a light at a place": Layer(((cube(), seen),), light=(1.0, 2.0, 3.0, 1.0)),
     }

@@ -70,6 +70,14 @@ class Camera:
         return self.modelview.tobytes(), self.lens
 
     @property
+    def upright(self) -> bool:
+        """Whether the modelview keeps depth apart: what is parallel to the object's x and y is
+        parallel to the screen."""
+        m = list(map(abs, self.modelview.ravel().tolist()))
+        least = 1e-6 * max(m[0], m[1], m[4], m[5], m[10])
+        return max(m[2], m[6], m[8], m[9]) <= least
+
+    @property
     def mirrored(self) -> bool:
         """Whether modelview and projection together turn windings round (negative scale).
 

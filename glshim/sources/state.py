@@ -104,6 +104,8 @@ class DrawState:
     """Polygons drawn now enter the depth buffer."""
     flat: bool
     """Parallel projection."""
+    upright: bool
+    """And what is drawn there lies as it is drawn: `Camera.upright`."""
     rendered: bool
     """Drawn to a picture, not for selection or feedback."""
     program: int
@@ -222,7 +224,8 @@ class StateReader:
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
-            rest.rendered, rest.program, rest.obstacle, rest.fill_faces,
+            rest.flat and camera.upright, rest.rendered,
+            rest.program, rest.obstacle, rest.fill_faces,
         )  # fmt: skip
 
 
@@ -271,6 +274,7 @@ def _decode_rest(key: bytes) -> DrawState:
         depth_tested=depth,
         depth_written=bool(values["depth_mask"][0]),
         flat=camera.orthographic,
+        upright=False,
         rendered=values["render_mode"][0] == GL_RENDER,
         program=values["program"][0] or _other_program(values),
         obstacle=obstacle,

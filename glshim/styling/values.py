@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from glshim.model.batch import Item, PolygonBatch
+from glshim.model.boxes import Box
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 
@@ -45,9 +46,9 @@ class Layer:
     light: Place = (0.0, 0.0, 1.0, 0.0)
     """Where GL_LIGHT0 is in eye space."""
     over: bool = False
-    """An earlier layer of the frame lies below."""
+    """An earlier layer of the frame lies below, in some of its views."""
     fresh: bool = True
-    """The depth buffer holds this layer's polygons alone."""
+    """The depth buffer holds this layer's polygons alone, in its views."""
     time: float = 0.0
     """Seconds, from any beginning: what a style that moves by itself goes by."""
     lighting: Lighting | None = None
@@ -57,6 +58,9 @@ class Layer:
     scale: float = 1.0
     """Pixels for one of the window: more than 1 in a large shot, for lengths that a style has of
     its own. Its options in pixels are scaled already."""
+    bare: tuple[Box, ...] = ()
+    """Of a layer over others the parts of its views in which none lies below: the program has
+    cleared them, or drawn nothing there. Pixels of the framebuffer."""
 
     @cached_property
     def bodies(self) -> tuple[Body, ...]:

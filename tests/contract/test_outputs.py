@@ -47,7 +47,7 @@ class Refusing(Output):
 
 FINISHED = FinishedLayer(
     ((look.cube(), Camera(np.eye(4), look.perspective(), (0, 0, 64, 48))),),
-    over=False, fresh=True, lighting=None,
+    over=False, bare=(), fresh=True, lighting=None,
 )  # fmt: skip
 
 

@@ -22,8 +22,8 @@ from glshim.spec.constants import GL_TRIANGLES
 
 CAMERA = Camera(np.eye(4), np.eye(4), (0, 0, 100, 100))
 PLAIN = DrawState(
-    CAMERA, framebuffer=0, depth_tested=True, depth_written=True, flat=False, rendered=True,
-    program=0, obstacle="", fill_faces=True,
+    CAMERA, framebuffer=0, depth_tested=True, depth_written=True, flat=False, upright=False,
+    rendered=True, program=0, obstacle="", fill_faces=True,
 )  # fmt: skip
 SHADED = replace(PLAIN, program=7)
 _ROW = BY_NAME["glVertex2f"]

@@ -16,11 +16,11 @@ from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices
 from glshim.sources.following.census import Census
+from glshim.sources.following.ground import clear
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
-from glshim.spec.constants import GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT
 from glshim.spec.pixels import PICK_AREA
 from glshim.spec.queries import UNCOUNTED, counting
 from glshim.spec.roles import (
@@ -35,7 +35,6 @@ from glshim.spec.roles import (
 from glshim.spec.shapes import Shape
 from glshim.system.interrupts import Held, is_ours
 
-_COLOR_AND_DEPTH = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT
 _REFUSED = frozenset((Role.ARRAY_DRAW, Role.EVALUATOR_MESH))
 """Draws that read the app's memory, or must be made again: with an error GL has made none of it."""
 _MOST_PLACES, _MOST_IN_A_ROW = 3, 16
@@ -200,10 +199,8 @@ class Follower:
             self._open(True, scene, args if role is Role.ARRAY_DRAW else None)
         elif role in OTHER_DRAWS:
             self._open(False, scene)
-        elif role is Role.CLEAR:
-            self._clear(scene, name_among(args, 0))
-        elif role is Role.CLEAR_BUFFER:
-            self._clear(scene, _COLOR_AND_DEPTH)
+        elif role is Role.CLEAR or role is Role.CLEAR_BUFFER:
+            self._clear(scene, role, args)
         elif role is Role.READ_PIXELS:
             if number(args, 2) * number(args, 3) > PICK_AREA:  # else it gets the app's colours
                 self._finish(scene, waits=True)
@@ -221,12 +218,14 @@ class Follower:
         elif role is Role.OTHER_PROGRAM:
             scene.reader.look_for_programs()
 
-    def _clear(self, scene: Scene, mask: int) -> None:
-        self.census.colour_cleared |= bool(mask & GL_COLOR_BUFFER_BIT)
-        if mask & _COLOR_AND_DEPTH:
+    def _clear(self, scene: Scene, role: Role, args: tuple[Any, ...]) -> None:
+        if scene.refused or scene.fixed.lists.only_compiles or scene.condition.discards:
+            return
+        found = clear(role, args)
+        self.census.colour_cleared |= found.colour
+        if found.colour or found.depth:
             self._finish(scene)
-        if mask & GL_DEPTH_BUFFER_BIT:
-            scene.layer.forget_depth()
+            scene.layer.cleared(found)
 
     @contained
     def after(

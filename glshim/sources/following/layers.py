@@ -11,17 +11,19 @@ from dataclasses import dataclass, replace
 from itertools import count
 
 from glshim.model.batch import POSITIONS, Item, PolygonBatch, Wanted
+from glshim.model.boxes import Box, covers, overlap
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 from glshim.sources.fixed.immediate import assemble_many
 from glshim.sources.following import census
+from glshim.sources.following.ground import Clear, Ground
 from glshim.sources.source import Polygons, Primitive
 from glshim.sources.state import DrawState
 
 _serial = count()
-
-Rectangle = tuple[int, int, int, int]
+View = tuple[int, Box]
+"""The name of a framebuffer, and a viewport in it."""
 
 
 class ContentCache:
@@ -70,15 +72,6 @@ def _content(batch: PolygonBatch) -> Hashable:
     return batch.positions.tobytes(), batch.corners.tobytes(), batch.boundary.tobytes(), given
 
 
-def _overlap(state: DrawState, other: Rectangle) -> bool:
-    """Whether a draw's viewport covers more than a sliver of another one."""
-    x, y, w, h = state.camera.viewport
-    ox, oy, ow, oh = other
-    across = min(x + w, ox + ow) - max(x, ox)
-    up = min(y + h, oy + oh) - max(y, oy)
-    return across > 2 and up > 2
-
-
 @dataclass(frozen=True, slots=True)
 class FinishedLayer:
     """A layer whose depth is final."""
@@ -86,9 +79,11 @@ class FinishedLayer:
     items: tuple[Item, ...]
     """Polygons, and the cameras that they were drawn with."""
     over: bool
-    """An earlier layer of the frame lies below it."""
+    """An earlier layer of the frame lies below it, somewhere in its views."""
+    bare: tuple[Box, ...]
+    """Where none does in the views of a layer over others, as boxes."""
     fresh: bool
-    """The depth buffer held nothing when it began."""
+    """The depth buffer held nothing there when it began."""
     lighting: Lighting | None
     """The lights when the first lit polygons of the layer were drawn."""
 
@@ -102,9 +97,13 @@ class LayerCollector:
         self._primitives: dict[DrawState, list[Primitive]] = {}
         self._batches: list[Item] = []
         self._last: DrawState | None = None
-        self._deep: set[Rectangle] = set()
-        self._over = False
-        self._fresh = True
+        self._pictures, self._depths = Ground(), Ground()
+        """Of earlier layers of the frame."""
+        self._deep: set[View] = set()
+        """Views with depth that is there."""
+        self._solid: dict[tuple[View, bytes], int] = {}
+        """By view of something solid, and projection, the last frame that had it."""
+        self._frame = 0
         self.overdue = False
         """It has ended, but a query of the app's is open: what would be drawn now would be counted.
         """
@@ -139,7 +138,11 @@ class LayerCollector:
         return last is not None and (
             state.framebuffer != last.framebuffer
             or not state.depth_tested
-            or (state.flat and not last.flat and _overlap(state, last.camera.viewport))
+            or (
+                state.flat
+                and not last.flat
+                and overlap(state.camera.viewport, last.camera.viewport)
+            )
         )
 
     def same_target(self, state: DrawState) -> bool:
@@ -148,18 +151,39 @@ class LayerCollector:
 
     def _is_hud(self, state: DrawState) -> bool:
         """A flat projection over a picture that has depth; the views of a CAD program that stand
-        side by side are none."""
-        return state.flat and any(_overlap(state, viewport) for viewport in self._deep)
+        side by side are none. Where depth has been cleared for it, or is yet to come, it is drawn
+        parallel to the screen, in another projection than what is solid there."""
+        if not state.flat:
+            return False
+        own = state.camera.viewport
+        if any(at == state.framebuffer and overlap(own, view) for at, view in self._deep):
+            return True
+        if not self._solid or not state.upright:
+            return False
+        projection = state.camera.projection.tobytes()
+        return any(
+            at == state.framebuffer and other != projection and covers(own, view)
+            for (at, view), other in self._solid
+        )
 
-    def forget_depth(self) -> None:
-        """The depth buffer was cleared: nothing is a HUD yet."""
-        self._deep.clear()
-        self._fresh = True
+    def cleared(self, clear: Clear) -> None:
+        """The program has cleared something."""
+        if clear.blank:
+            self._pictures.remove(clear.framebuffer, clear.box)
+        if clear.depth:
+            self._depths.remove(clear.framebuffer, clear.box)
+            self._deep = {
+                (at, view) for at, view in self._deep
+                if at != clear.framebuffer or (clear.box and not covers(clear.box, view))
+            }  # fmt: skip
 
     def end_frame(self) -> None:
         """What is drawn now is another picture."""
-        self.forget_depth()
-        self._over = False
+        self._pictures.clear()
+        self._depths.clear()
+        self._deep.clear()
+        self._solid = {key: at for key, at in self._solid.items() if at == self._frame}
+        self._frame += 1
 
     def add(self, state: DrawState, polygons: Polygons, camera: Camera) -> None:
         """Polygons drawn in this state and seen by a camera: of a primitive the state's."""
@@ -176,8 +200,13 @@ class LayerCollector:
 
     def _note(self, state: DrawState) -> None:
         self._last = state
+        camera = state.camera
+        view = state.framebuffer, camera.viewport
         if not state.flat:
-            self._deep.add(state.camera.viewport)
+            self._deep.add(view)
+            self._solid[view, b""] = self._frame
+        elif not state.upright:
+            self._solid[view, camera.projection.tobytes()] = self._frame
 
     def take(self) -> FinishedLayer:
         """The finished layer; the next one begins empty."""
@@ -187,9 +216,16 @@ class LayerCollector:
         ]
         items.extend((self._content.of_batch(batch), camera) for batch, camera in self._batches)
         with_corners = tuple(item for item in items if len(item[0].corners))
-        finished = FinishedLayer(with_corners, self._over, self._fresh, self.lighting)
+        views = tuple({camera.viewport: True for _, camera in items})
+        at = self._last.framebuffer if self._last is not None else 0
+        over = self._pictures.touches(at, views)
+        finished = FinishedLayer(
+            with_corners, over, tuple(self._pictures.free(at, views)) if over else (),
+            not self._depths.touches(at, views), self.lighting,
+        )  # fmt: skip
+        self._pictures.add(at, views)
+        self._depths.add(at, views)
         self._primitives, self._batches, self._last = {}, [], None
         self.lighting = None
-        self._over, self._fresh = self._over or bool(items), self._fresh and not items
         self._content.tick()
         return finished

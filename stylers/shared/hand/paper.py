@@ -50,5 +50,4 @@ def under(paper: Paper, layer: Layer) -> Iterator[Pass]:
 def laid(shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform]) -> Iterator[Pass]:
     """A `tone_shader` over every window, under all that is drawn by hand. A layer over another lies
     on that one's paper, but for the surfaces of a view of its own."""
-    if not layer.over or layer.fresh:
-        yield over_windows(shader, layer, {**uniforms, "behind": int(not layer.over)}, _UNDER)
+    yield from over_windows(shader, layer, uniforms, _UNDER)

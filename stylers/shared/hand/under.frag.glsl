@@ -10,6 +10,7 @@ uniform vec3 rule;    // colour of its lines
 
 void main() {
     vec2 at = gl_FragCoord.xy;
+    if (behind == 0 && !surface(at)) discard;
     vec3 sheet = mix(paper, bare(on_paper(at)), tooth);
     vec2 ruled = at + shot.xy;
     if (grid > 0.0) {

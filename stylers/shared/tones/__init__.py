@@ -14,6 +14,7 @@ from functools import cache, lru_cache
 import numpy as np
 from numpy.random import default_rng
 
+from glshim.model.boxes import Box, overlap, without
 from glshim.model.camera import Camera
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State
@@ -47,43 +48,70 @@ _SHADERS = {
 
 
 def over_windows(
-    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int
-) -> Pass:
-    """A `tone_shader` over all of every window of a layer."""
+    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int, *,
+    paper: bool = True, tones: bool = True,
+) -> Iterator[Pass]:
+    """A `tone_shader` over every window of a layer. paper: whether that lies behind the surfaces,
+    in what the layer has of the picture for itself; tones: whether surfaces over others are laid
+    in, which they are once where they share a depth."""
     windows = {body.camera.viewport: body for body in layer.bodies}
-    screens = tuple(map(_whole, windows.values()))
-    return Pass(
-        screens, shader, "screen", state=_STATE, uniforms=uniforms, image=grain(), coat=coat
-    )
+    parts: list[tuple[bool, list[Body]]] = []
+    if not layer.over:
+        parts.append((paper, [_seen(body) for body in windows.values()]))
+    else:
+        bare, rest = _parted(windows, layer.bare) if paper else ([], [])
+        parts.append((True, bare))
+        if tones and layer.fresh:
+            parts.append((False, rest if bare else [_seen(body) for body in windows.values()]))
+    for behind, screens in parts:
+        if screens:
+            yield Pass(
+                tuple(screens), shader, "screen", state=_STATE,
+                uniforms={**uniforms, "behind": int(behind)}, image=grain(), coat=coat,
+            )  # fmt: skip
+
+
+def _parted(
+    windows: Mapping[Box, Body], bare: tuple[Box, ...]
+) -> tuple[list[Body], list[Body]]:
+    """Windows as boxes in which nothing lies below, and the others."""
+    free, rest = [], []
+    for window, body in windows.items():
+        left = [window]
+        for box in bare:
+            if overlap(window, box):
+                free.append(_seen(body, box))
+                left = without(left, box)
+        rest += [_seen(body, box) for box in left]
+    return free, rest
 
 
 def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> Iterator[Pass]:
     """One pass over every viewport, unless all stays as the app drew it. tone: ``app`` or one of
     `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand.
 
-    A layer over another has no paper of its own, and no tone where it shares that one's depth: that
-    has laid the surfaces in."""
-    if layer.over:
-        paper = "app"
-        if not layer.fresh:
-            return
+    A layer has no paper of its own where it lies over another, and no tone where it shares that
+    one's depth: that has laid the surfaces in."""
     if tone == "app" and paper == "app":
         return
-    behind = not isinstance(paper, str)
     uniforms: dict[str, Uniform] = {
-        "paper": WHITE if isinstance(paper, str) else paper, "behind": int(behind), "ink": ink,
+        "paper": WHITE if isinstance(paper, str) else paper, "ink": ink,
     }  # fmt: skip
-    yield over_windows(_SHADERS[tone], layer, uniforms, _UNDER)
+    yield from over_windows(
+        _SHADERS[tone], layer, uniforms, _UNDER,
+        paper=not isinstance(paper, str), tones=tone != "app",
+    )  # fmt: skip
 
 
-def _whole(body: Body) -> Body:
-    return replace(body, camera=_unscissored(body.camera))
+def _seen(body: Body, box: Box | None = None) -> Body:
+    """A body for its camera, which sees a box of its window, or all of it."""
+    return replace(body, camera=_through(body.camera, box))
 
 
 @lru_cache(maxsize=64)
-def _unscissored(camera: Camera) -> Camera:
-    """A camera that sees all of its window: the same one again for the same camera."""
-    return replace(camera, scissor=None, depth_range=(0.0, 1.0))
+def _through(camera: Camera, box: Box | None) -> Camera:
+    """The same camera again for the same one and the same box."""
+    return replace(camera, scissor=box, depth_range=(0.0, 1.0))
 
 
 @cache
