@@ -1,6 +1,9 @@
 """GL constants by name. Written by ``scripts/constants``: import a name, then run that."""
 
+GL_2_BYTES = 0x1407
 GL_3D = 0x0601
+GL_3_BYTES = 0x1408
+GL_4_BYTES = 0x1409
 GL_ACTIVE_PROGRAM = 0x8259
 GL_ACTIVE_TEXTURE = 0x84E0
 GL_ACTIVE_UNIFORMS = 0x8B86

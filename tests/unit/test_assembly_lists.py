@@ -13,11 +13,14 @@ from glshim.sources.fixed.lists import (
     ListPolygons,
     LooseVertices,
     Opening,
+    list_names,
 )
 from glshim.sources.fixed.matrices import matrix_of
 from glshim.sources.source import Call, Primitive
 from glshim.spec.attributes import BY_NAME
+from glshim.spec.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES
 from glshim.spec.matrices import MATRIX_CALLS
+from glshim.spec.roles import Role
 
 MODELVIEW, PROJECTION, DEPTH_TEST, FILL, LINE = 0x1700, 0x1701, 0x0B71, 0x1B02, 0x1B01
 _ROW = BY_NAME["glVertex3f"]
@@ -182,3 +185,20 @@ def test_matrix_calls_are_gls() -> None:
     assert np.allclose(of("glLoadMatrixd", columns)[:, 3], (12, 13, 14, 15))
     assert np.allclose(of("glMultTransposeMatrixf", columns)[3], (12, 13, 14, 15))
     assert np.allclose(of("glLoadIdentity"), np.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("type_", "spelled", "names"),
+    [
+        (GL_2_BYTES, b"\x01\x02\x00\x05", (0x102, 5)),
+        (GL_3_BYTES, b"\x01\x02\x03\x00\x00\x07", (0x10203, 7)),
+        (GL_4_BYTES, b"\x01\x02\x03\x04\xff\xff\xff\xff", (0x1020304, 0xFFFFFFFF)),
+    ],
+)
+def test_names_of_lists_may_be_spelled_out(
+    type_: int, spelled: bytes, names: tuple[int, ...]
+) -> None:
+    args = (2, type_, np.frombuffer(spelled, np.uint8))
+    assert list_names(Role.LISTS_CALL, args, 0) == names
+    assert list_names(Role.LISTS_CALL, args, 10) == tuple(n + 10 & 0xFFFFFFFF for n in names)
+    assert list_names(Role.LISTS_CALL, (2, 0x1234, args[2]), 0) == ()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 from typing import Any
 
 import numpy as np
@@ -19,6 +18,7 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_ROWS,
 )
 from glshim.spec.driver import gl
+from glshim.system import memory
 
 _UNPACK = {
     name: (value, plain)
@@ -33,7 +33,8 @@ Bits = NDArray[np.uint8]
 
 
 def read(width: int, height: int, address: int) -> Bits | None:
-    """The bits that glBitmap would take from an address; None for those in a buffer object."""
+    """The bits that glBitmap would take from an address; None for those in a buffer object, and
+    where they cannot be read."""
     if integer(GL_PIXEL_UNPACK_BUFFER_BINDING):
         return None
     state = {name: integer(value) for name, (value, _) in _UNPACK.items()}
@@ -41,7 +42,14 @@ def read(width: int, height: int, address: int) -> Bits | None:
     row_bytes, step = (row + 7) // 8, state["alignment"]
     stride = (row_bytes + step - 1) // step * step
     start = address + state["skip_rows"] * stride
-    raw = np.frombuffer(ctypes.string_at(start, stride * height), np.uint8).reshape(height, stride)
+    # Nobody need own the end of the last row.
+    used = max(stride * (height - 1) + (state["skip_pixels"] + width + 7) // 8, 0)
+    found = memory.read(start, used) if width and height else np.empty(0, np.uint8)
+    if found is None:
+        return None
+    rows = np.zeros(max(stride * height, len(found)), np.uint8)
+    rows[: len(found)] = found
+    raw = rows[: stride * height].reshape(height, stride)
     order: Any = "little" if state["lsb"] else "big"
     bits: Bits = np.unpackbits(raw, axis=1, bitorder=order)
     return bits[:, state["skip_pixels"] : state["skip_pixels"] + width]

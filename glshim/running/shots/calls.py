@@ -11,6 +11,8 @@ import ctypes
 from collections.abc import Callable
 from typing import Any, Protocol
 
+import numpy as np
+
 from glshim.bindings.pyopengl.raw import Call
 from glshim.notices import say_once
 from glshim.running.shots import bitmaps
@@ -40,6 +42,7 @@ from glshim.spec.constants import (
 from glshim.spec.context import compiles_a_list
 from glshim.spec.driver import gl
 from glshim.spec.pixels import ANSWERS, POSITIONS, PixelRole, Position, pixel_role
+from glshim.system import memory
 
 _ZOOM = (GL_ZOOM_X, GL_ZOOM_Y)
 _MOST_STIPPLE = 256
@@ -206,7 +209,10 @@ class Calls:
         if now is None or not now.target.is_drawn_to or int(args[0]) != 1:
             return real(*args)
         address = address_of(args[1])
-        asked = ctypes.c_uint.from_address(address).value if address else 0
+        found = memory.read(address, ctypes.sizeof(ctypes.c_uint))
+        if found is None:
+            return real(*args)
+        asked = int(found.view(np.uint32)[0])
         now.buffers[GL_DRAW_BUFFER] = asked
         gl.glDrawBuffer(_attached(asked))
         return None

@@ -26,6 +26,9 @@ from glshim.sources.fixed.matrices import matrix_of
 from glshim.sources.fixed.pointers import numbers_at
 from glshim.sources.source import Call, Primitive
 from glshim.spec.constants import (
+    GL_2_BYTES,
+    GL_3_BYTES,
+    GL_4_BYTES,
     GL_BYTE,
     GL_CURRENT_BIT,
     GL_DEPTH_TEST,
@@ -52,6 +55,8 @@ _ID_TYPES = {
     GL_BYTE: np.int8, GL_UNSIGNED_BYTE: np.uint8, GL_SHORT: np.int16, GL_UNSIGNED_SHORT: np.uint16,
     GL_INT: np.int32, GL_UNSIGNED_INT: np.uint32, GL_FLOAT: np.float32,
 }  # fmt: skip
+_BYTES = {GL_2_BYTES: 2, GL_3_BYTES: 3, GL_4_BYTES: 4}
+"""Of a name that is spelled out, the greatest first."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -355,11 +360,13 @@ def list_names(role: Role, args: Sequence[Any], base: int) -> tuple[int, ...]:
     if role is Role.LIST_CALL:
         return (arguments.name(given, 0),)
     count, type_ = number(given, 0), arguments.name(given, 1)
-    dtype = _ID_TYPES.get(type_)
-    if dtype is None or count <= 0:
+    spelled = type_ in _BYTES
+    dtype = np.dtype(np.uint8 if spelled else _ID_TYPES.get(type_, np.void))
+    size = _BYTES.get(type_, dtype.itemsize)
+    if not size or count <= 0:
         return ()
     try:
-        raw = memory.read(address_of(given[2]), count * np.dtype(dtype).itemsize)
+        raw = memory.read(address_of(given[2]), count * size)
     except TypeError as error:
         if not is_ours(error):
             raise
@@ -368,4 +375,6 @@ def list_names(role: Role, args: Sequence[Any], base: int) -> tuple[int, ...]:
         say_once("unstyled: glCallLists, because the names of its lists cannot be read")
         return ()
     offsets = raw.view(dtype)
+    if spelled:
+        offsets = offsets.reshape(-1, size).astype(np.int64) @ 256 ** np.arange(size)[::-1]
     return tuple(int(i) + base & _NAMES for i in offsets[np.isfinite(offsets)])
