@@ -43,6 +43,11 @@ class Row:
     guard: tuple[str, int] | None = None
     """Asked only if this glIs* is true of this name."""
 
+    @property
+    def is_address(self) -> bool:
+        """Whether the answer may be one, which is another in each process."""
+        return "Pointer" in self.function or "BINDING_OFFSET" in self.name
+
 
 def _values() -> Iterator[Row]:
     seen = set()
@@ -279,7 +284,7 @@ class Eyes:
                 self._buffer[at] = function(*row.args)
             else:
                 function(*row.args, self._base + at)
-                if "Pointer" in row.function:
+                if row.is_address:
                     self._put(at, place(self._get(at)))
         return bytes(self._buffer[:size])
 

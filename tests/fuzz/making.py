@@ -35,6 +35,7 @@ def program(seed: int, number: int) -> Program:
     batch = number // BATCH
     flags = _flags(seed, batch)
     w = Writer(random.Random(f"{seed} {number}"))
+    w.sizes = flags != "unsized"
     _window(w)
     for _ in range(w.whole(1, 3)):
         _frame(w)

@@ -42,6 +42,11 @@ class Command:
     result: str
     parameters: tuple[Parameter, ...]
 
+    @property
+    def module(self) -> str:
+        """PyOpenGL's, below ``OpenGL.raw.GL.VERSION``."""
+        return f"GL_{self.version.replace('.', '_')}"
+
 
 @dataclass
 class Registry:

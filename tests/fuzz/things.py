@@ -152,9 +152,9 @@ class Other:
         return value
 
     @property
-    def started(self) -> bool:
-        """Whether there is such a thread."""
-        return self._thread is not None
+    def number(self) -> int | None:
+        """The thread's, if there is one yet."""
+        return self._thread.ident if self._thread is not None else None
 
     def _run(self) -> None:
         while (call := self._asked.get()) is not None:

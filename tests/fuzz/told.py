@@ -58,7 +58,8 @@ def raised(error: BaseException) -> str:
 
 
 def steady(text: str) -> str:
-    """Without addresses."""
+    """Without addresses, and without who was first to make a type of arrays."""
+    text = re.sub(r"[\w.]*\b(c_\w+_Array_\d+)", r"\1", text)
     text = re.sub(r"0x[0-9a-fA-F]{5,}", "0x...", text)
     text = re.sub(r"\b\d{13,}\b", "<long number>", text)
     return re.sub(r"c_void_p\(\d+\)", "c_void_p(...)", text)

@@ -24,6 +24,10 @@ _ODD_WHOLES = ("np.int32({})", "np.uint8({})", "ctypes.c_int({})", "ctypes.c_uin
                "{} + 2**32")  # fmt: skip
 
 
+_SIZED = re.compile(r"gl(Vertex|Color|Normal|TexCoord|Rect)\d?\w{1,2}v\(")
+"""Calls whose arrays are of one size."""
+
+
 class Writer:
     """One program in the making."""
 
@@ -35,7 +39,11 @@ class Writer:
         self._made = 0
         self.odd = chance.choice((0.0, 0.0, 0.02, 0.1))
         """How likely an argument is of an unusual kind, or strange."""
-        self.version: tuple[int, int] = (4, 5)
+        self.sizes = True
+        """Whether PyOpenGL looks at the sizes of arrays: else it reads what is not there."""
+        self._sized = False
+        self.compiles = False
+        """A list is open."""
 
     # -- steps -----------------------------------------------------------------------------------
 
@@ -120,7 +128,7 @@ class Writer:
         """A sequence of so many numbers, as one of all the things that PyOpenGL takes for an array.
         kind: a dtype's letter, which most of them have."""
         if self.maybe(self.odd / 2):
-            count = max(0, count + self.pick((-1, 1, 13, -count)))
+            count = max(0, count + self.pick((1, 13, -1, -count) if self._sized else (1, 13)))
         values = [self.pick(choices or COORDINATES) for _ in range(count)]
         if kind not in "fd":
             values = [int(value) for value in values]
@@ -134,7 +142,7 @@ class Writer:
                      "np.array(({}), 'i')", "np.array(({}), '?')",
                      "np.array(({}), 'KIND').tobytes()", "memoryview(np.array(({}), 'KIND'))",
                      "np.array(({}), 'KIND').ctypes.data_as(ctypes.c_void_p)", "iter(({}))",
-                     "np.array(({}), object)", "range(3)", "None", "'abc'", "0",
+                     "np.array(({}), object)", "range(4)", "'abcdefgh'",
                      f"(ctypes.c_float * {count})({{}})", f"(ctypes.c_double * {count})({{}})",
                      f"(ctypes.c_int * {count})({{}})"]  # fmt: skip
         return self.pick(forms).replace("KIND", kind).format(inside)
@@ -155,6 +163,7 @@ class Writer:
         ``{v4f}`` a vector of a dtype, ``{v4fu}`` of reals from 0 to 1, ``{flag}`` a boolean,
         ``{matrix}``, and ``{texture}`` (or another class) the name of an object.
         """
+        self._sized = self.sizes and bool(_SIZED.search(template))
         return re.sub(r"\{([^{}]+)\}", lambda match: self._filled(match[1]), template)
 
     def _filled(self, place: str) -> str:

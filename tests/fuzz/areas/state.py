@@ -32,7 +32,7 @@ SETTINGS = (
     "glLogicOp({@LogicOp})", "glScissor({-2..30}, {0..20}, {0..50}, {-1..40})",
     "glViewport({-5..10}, {0..10}, {20..80}, {10..60})", "glLineWidth({r 0.5 1.0 3.0 -1.0 0.0})",
     "glPointSize({r 0.5 1.0 4.0 0.0})", "glLineStipple({0..4}, {0..65535})",
-    "glPolygonOffset({2r})", "glPolygonStipple(octets()[:128])", "glPolygonStipple(octets()[:100])",
+    "glPolygonOffset({2r})", "glPolygonStipple(octets()[:128])",
     "glFogf({FOG_DENSITY|FOG_START|FOG_END}, {r 0.5 4.0 6.0})",
     "glFogi(GL.GL_FOG_MODE, {LINEAR|EXP|EXP2|FLAT})", "glFogfv(GL.GL_FOG_COLOR, {v4fu})",
     "glFogi(GL.GL_FOG_COORD_SRC, {FOG_COORD|FRAGMENT_DEPTH})",
