@@ -31,6 +31,9 @@ FLAGS: dict[str, dict[str, Any]] = {
 """Sets of PyOpenGL's flags."""
 
 
+STYLES = ("none", "raskar")
+
+
 @dataclass
 class Told:
     """What a process said."""
@@ -46,12 +49,25 @@ class Told:
     """On standard error."""
 
 
+def differences(plain: Told, styled: Told) -> dict[str, tuple[str | None, str | None]]:
+    """By the name of a case what came of it, where that is another thing; and words of faults."""
+    found: dict[str, tuple[str | None, str | None]] = {
+        plain.cases[at]: (came, styled.came.get(at))
+        for at, came in plain.came.items()
+        if came != styled.came.get(at)
+    }
+    for word in ("Traceback", "by a fault of glshim", "switched off"):
+        if word in styled.said and word not in plain.said:
+            found[word] = (None, styled.said[-2000:])
+    return found
+
+
 def told(
     flags: str, style: str, *, count: int = 0, seed: int = 0, everything: bool = False,
-    skipped: tuple[int, ...] = (), handler: bool = False,
+    skipped: tuple[int, ...] = (), handler: bool = False, functions: int = 0,
 ) -> Told:  # fmt: skip
     """The cases under a set of flags, all or so many by chance, in as many processes as it takes:
-    what kills plain PyOpenGL is left out."""
+    what kills plain PyOpenGL is left out. functions: of so many by chance, 0 for all."""
     found = Told()
     environment = {n: v for n, v in os.environ.items() if not n.startswith("GLSHIM_")}
     environment |= {"PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "ignore"}
@@ -60,7 +76,7 @@ def told(
     first = 0
     while True:
         given = json.dumps({"flags": FLAGS[flags], "count": count, "seed": seed, "first": first,
-                            "everything": everything, "handler": handler,
+                            "everything": everything, "handler": handler, "functions": functions,
                             "skipped": skipped})  # fmt: skip
         done = subprocess.run([sys.executable, str(WORKER), given], capture_output=True, text=True,
                               check=False, env=environment, errors="replace")  # fmt: skip

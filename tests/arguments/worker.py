@@ -113,7 +113,10 @@ def valid(name: str, argument: str, kind: Any) -> Any:
 
 
 def cases() -> Iterator[Case]:
-    for name, call in functions():
+    chosen = list(functions())
+    if GIVEN["functions"]:
+        chosen = random.Random(GIVEN["seed"]).sample(chosen, GIVEN["functions"])
+    for name, call in chosen:
         raw = raw_of(call)
         names, types = (
             list(getattr(raw, "argNames", ())),

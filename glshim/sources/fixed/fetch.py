@@ -316,7 +316,7 @@ def _listed(
     if count > _MOST_DRAWS:
         raise Unfetchable(f"it draws {count} times")
     try:
-        if not isinstance(value, (list, tuple)):
+        if type(value) is not list and type(value) is not tuple:
             return [int(n) for n in _memory(address_of(value), count * dtype.itemsize).view(dtype)]
         if len(value) >= count:
             return [convert(each) for each in value[:count]]
