@@ -8,7 +8,6 @@ import pytest
 from tests.arguments import FLAGS, STYLES, differences, told
 from tests.sweep import FULL, SEED, some
 
-
 OTHERS = (*((flags, False) for flags in tuple(FLAGS)[1:]), ("as it is", True))
 
 
