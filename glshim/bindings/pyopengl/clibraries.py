@@ -11,7 +11,7 @@ from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.notices import say_fault
+from glshim.notices import say_fault, say_once
 from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
 from glshim.spec.driver import gl
 from glshim.spec.shapes import (
@@ -96,7 +96,10 @@ class CLibraries:
         except Exception as error:
             if not is_ours(error):
                 raise
-            say_fault(f"{name} stays unlined", error)
+            if isinstance(error, _Unknown):
+                say_once(f"unstyled: {name}, because {error}")
+            else:
+                say_fault(f"{name} stays unlined", error)
             return None
 
     def _describe(
@@ -128,7 +131,11 @@ class CLibraries:
         self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
     ) -> Any:
         result = call(*args)
-        self._settings.setdefault(_address(args[0]), {})[role] = int(args[1])
+        try:
+            self._settings.setdefault(_address(args[0]), {})[role] = int(_number(args[1]))
+        except Exception as error:  # what C has taken, and we cannot read
+            if not is_ours(error):
+                raise
         return result
 
     def _nurbs_part(self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
@@ -158,12 +165,28 @@ def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
 def _unit(name: str, args: tuple[Any, ...]) -> tuple[tuple[float, ...], float]:
     """The arguments of the same shape with a greatest length of 1, and how much larger it is:
     a sphere that pulses is one shape."""
-    scalars = tuple(float(getattr(a, "value", a)) for a in args)
+    scalars = tuple(float(_number(a)) for a in args)
     lengths = LENGTHS.get(name, ())
     scale = max((abs(scalars[i]) for i in lengths), default=1.0)
     if not 0.0 < scale < float("inf"):
         return scalars, 1.0
     return tuple(v / scale if i in lengths else v for i, v in enumerate(scalars)), scale
+
+
+class _Unknown(Exception):
+    """An argument that is not plainly a number, in words."""
+
+
+def _number(value: Any) -> Any:
+    """A number that C has taken, without any code of the program's. Raises _Unknown for others."""
+    kind = type(value)
+    if kind in (int, float, bool):
+        return value
+    if issubclass(kind, int):
+        return int.__index__(value)
+    if kind.__module__ in ("ctypes", "numpy"):
+        return value.value if kind.__module__ == "ctypes" else value.item()
+    raise _Unknown(f"a {kind.__name__} is not a number that can be known")
 
 
 def _content(name: str, args: Any) -> Hashable | None:
