@@ -26,6 +26,7 @@ def main() -> int:
     ask.add_argument("--flags", nargs="+", default=list(FLAGS), choices=FLAGS)
     ask.add_argument("--styles", nargs="+", default=STYLES)
     ask.add_argument("--count", type=int, default=0, help="so many by chance; else all")
+    ask.add_argument("--functions", type=int, default=0, help="of so many by chance; else of all")
     ask.add_argument("--seed", type=int, default=0)
     ask.add_argument("--everything", action="store_true", help="extensions, too")
     ask.add_argument("--handler", action="store_true", help="a list handler of the program's")
@@ -34,7 +35,7 @@ def main() -> int:
     bad = 0
     for flags in given.flags:
         how = {"count": given.count, "seed": given.seed, "everything": given.everything,
-               "handler": given.handler}  # fmt: skip
+               "handler": given.handler, "functions": given.functions}  # fmt: skip
         plain = told(flags, "", **how)
         for at in plain.crashed[: given.show]:
             print(f"  ends plain PyOpenGL: {plain.cases[at]}")

@@ -30,7 +30,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "c_uint": lambda q: GLU.gluQuadricDrawStyle(q, ctypes.c_uint(GLU.GLU_FILL)),
     "parameter": lambda q: GLU.gluQuadricDrawStyle(q, Parameter()),
     "keyword": lambda q: GLU.gluQuadricOrientation(q, GLU.GLU_OUTSIDE, odd=1),
-    "missing": lambda q: GLU.gluQuadricDrawStyle(q),
+    "missing": lambda q: GLU.gluQuadricOrientation(),
     "ctypes": lambda q: GLU.gluSphere(q, ctypes.c_double(0.5), ctypes.c_int(8), 6),
     "numpy": lambda q: GLU.gluSphere(q, np.float32(0.5), 8, 6),
     "sphere, keyword": lambda q: GLU.gluSphere(q, 0.5, 8, 6, odd=3),
