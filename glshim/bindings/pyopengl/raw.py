@@ -231,7 +231,8 @@ class RawLayer:
                 self.hook(name, None)
 
     def uninstall(self) -> None:
-        """Leave PyOpenGL as it was found, but for what `hook_over` put around its calls."""
+        """Leave PyOpenGL as it was found, but for what `hook_over` put around its calls, and
+        `hook_below` below them."""
         self._raw_makers.clear()
         self._wrapper_makers.clear()
         self.matchers.clear()
@@ -244,7 +245,7 @@ class RawLayer:
 
     def _leave(self) -> None:
         """Follow no more, where nobody needs it."""
-        if self._installed or self._over is not _nothing:
+        if self._installed or self._over is not _nothing or self._below:
             return
         self._raw.clear()
         self._wrappers.clear()
