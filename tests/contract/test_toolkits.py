@@ -311,6 +311,30 @@ def test_a_qt_program_leaves_by_its_main_loop(monkeypatch: pytest.MonkeyPatch, d
     assert log == [("window", "hide", 2), (app, "quit", 2)][: 2 * depth]
 
 
+@pytest.mark.parametrize("runs", [False, True])
+def test_a_wx_program_leaves_by_its_main_loop(monkeypatch: pytest.MonkeyPatch, runs: bool) -> None:
+    log: list[str] = []
+    app = SimpleNamespace(
+        IsMainLoopRunning=lambda: runs, ExitMainLoop=lambda: log.append("main loop left"))
+    monkeypatch.setitem(sys.modules, "wx", SimpleNamespace(GetApp=lambda: app))
+    assert Wx().drawable(Widget()).leave() is runs
+    assert log == ["main loop left"] * runs
+
+
+@pytest.mark.parametrize("runs", [False, True])
+def test_a_togl_program_leaves_by_its_main_loop(togl: Any, runs: bool) -> None:
+    module = togl.modules["tkinter"]
+    left: list[bool] = []
+
+    def mainloop(widget: Any) -> bool:
+        return bool(togl.toolkit.drawable(widget).leave())
+
+    module.Misc.mainloop = module.mainloop = mainloop if runs else lambda widget: None
+    module.BaseWidget.quit = lambda widget: left.append(True)
+    assert mainloop(togl.window) is runs
+    assert left == [True] * runs
+
+
 def test_wx(log: list[str]) -> None:
     def swap(canvas: Any) -> bool:
         log.append("swapped")
