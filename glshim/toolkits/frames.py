@@ -202,6 +202,14 @@ def _over(drawable: Drawable) -> None:
         _leave(drawable)
 
 
+def finish_drawing() -> None:
+    """The app looks at its picture, which may be all that becomes of the frame."""
+    with Held():
+        for listener in _listeners:
+            if listener.stage is Stage.DRAW:
+                _call(listener.before)
+
+
 def read_back(on: Drawable) -> None:
     """The app has read its picture. It is a frame unless a toolkit shows it yet."""
     global _drawable, _read
@@ -223,10 +231,7 @@ def end_read() -> None:
         return
     outer, _drawable = _drawable, on
     try:
-        with Held():
-            for listener in _listeners:
-                if listener.stage is Stage.DRAW:
-                    _call(listener.before)
+        finish_drawing()
         _over(on)
     finally:
         _drawable = outer

@@ -76,9 +76,12 @@ class Offscreen(Toolkit):
                 frames.end_read()
             return call(*args)
         if role is Role.FLUSH and not args and _is_single_buffered():
-            if frames.shown_by_a_toolkit() or self._is_new(name):
+            if frames.shown_by_a_toolkit() or frames.window_is_double_buffered() is False:
                 return frames.present(call)
-            return call()
+            frames.finish_drawing()
+            call()
+            self._read((name,), _framebuffer(GL_DRAW_FRAMEBUFFER_BINDING, None))
+            return None
         result = call(*args)
         if not frames.shown_by_a_toolkit():
             self._look(role, name, args)
