@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
-import sys
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import glfw
@@ -20,30 +17,9 @@ from glshim.spec import errorflag
 from glshim.spec.driver import gl
 from glshim.spec.queries import counting
 from glshim.spec.unnoticed import Unnoticed
-from glshim.styling import registry
-from tests import sweep
 
 from .test_contexts import VISIBLE, cube, inked
 from .world import App, run, window
-
-ROOT = Path(__file__).parents[2]
-PROGRAMS = 200 if sweep.FULL else 4
-RANDOM = [
-    (context, flag) for context in ("compatibility", "legacy", "core")
-    for flag in ("--unchecked", "--checked")
-]  # fmt: skip
-
-
-@pytest.mark.parametrize(("context", "flag"), sweep.some(RANDOM, 1))
-def test_random_programs_are_told_the_same(context: str, flag: str) -> None:
-    styles = sweep.some(tuple(registry.names()), 2, turn=RANDOM.index((context, flag)))
-    command = [
-        sys.executable, "-m", "tests.unnoticed", "--programs", str(PROGRAMS), "--context", context,
-        "--seed", str(sweep.SEED % 100_000 * 10), "--styles", ",".join(("none", *styles)), flag,
-    ]  # fmt: skip
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert f"{PROGRAMS} programs" in done.stdout and ": 0 programs differ" in done.stdout
 
 
 def _too_large() -> None:

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 
+from tests.fuzz.program import ENVIRONMENTS
 from tests.fuzz.stage import Note
 
 SECONDS = 40.0
@@ -28,7 +29,7 @@ class Lane:
         """perturb: what fresh memory is filled with."""
         self.style, self.flags = style, flags
         self._environment = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM_")}
-        self._environment |= _ENVIRONMENT
+        self._environment |= _ENVIRONMENT | ENVIRONMENTS.get(flags, {})
         if perturb:
             self._environment["MALLOC_PERTURB_"] = str(perturb)
         self._process: subprocess.Popen[bytes] | None = None

@@ -57,7 +57,7 @@ def _flags(seed: int, batch: int) -> str:
 def _window(w: Writer) -> None:
     hints = w.weighted({
         "": 20, "SAMPLES=4": 1, "DOUBLEBUFFER=0": 1.5, "STENCIL_BITS=0": 1, "DEPTH_BITS=0": 1,
-        "OPENGL_DEBUG_CONTEXT=1": 1, "ALPHA_BITS=0": 0.5,
+        "OPENGL_DEBUG_CONTEXT=1": 2, "ALPHA_BITS=0": 0.5,
         "ACCUM_RED_BITS=16, ACCUM_GREEN_BITS=16": 1,
         "CONTEXT_VERSION_MAJOR=2, CONTEXT_VERSION_MINOR=1": 1,
         "CONTEXT_VERSION_MAJOR=3, CONTEXT_VERSION_MINOR=3, OPENGL_PROFILE=0x32001": 0.5,

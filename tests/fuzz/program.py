@@ -18,8 +18,13 @@ FLAGS: dict[str, dict[str, Any]] = {
     "images": {"UNSIGNED_BYTE_IMAGES_AS_STRING": False},
     "packed": {"SIZE_1_ARRAY_UNPACK": False},
     "forward": {"FORWARD_COMPATIBLE_ONLY": True},
+    "legacy": {"ERROR_CHECKING": False},
 }
 """PyOpenGL's flags, set before it is imported, by a name of ours."""
+ENVIRONMENTS: dict[str, dict[str, str]] = {
+    "legacy": {"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_GLSL_VERSION_OVERRIDE": "120"},
+}
+"""And variables, by the same names."""
 
 
 @dataclass(frozen=True)
