@@ -158,12 +158,13 @@ class Finder:
             return _ask_for(name, path, target) if name.partition(".")[0] in OURS else None
         if name in _SHARED:
             return None
-        importer = _importer()
+        importer, imports = _importer()
         if get_ident() in _depths or _is_ours(importer):
             spec = self._of_ours(name, target)
             if spec is not None:
                 return spec
-            if not str(importer.get("__name__")).startswith(STYLE_FILE):
+            # The finders of others would look where the program's modules lie.
+            if imports and not str(importer.get("__name__")).startswith(STYLE_FILE):
                 raise ModuleNotFoundError(f"No module named {name!r}", name=name)
         return self._of_program(name, target)
 
@@ -201,15 +202,17 @@ class Finder:
 FINDER = Finder()
 
 
-def _importer() -> "dict[str, Any]":
-    """The globals of whoever imports."""
+def _importer() -> "tuple[dict[str, Any], bool]":
+    """The globals of whoever imports, and whether it does or only asks where a module lies."""
     frame: FrameType | None = sys._getframe(2)
+    imports = False
     while frame is not None and (
         frame.f_globals.get("__name__") in _MACHINERY
         or frame.f_code.co_filename.startswith("<frozen importlib")
     ):
+        imports = imports or frame.f_code.co_name == "_find_and_load"
         frame = frame.f_back
-    return frame.f_globals if frame is not None else {}
+    return (frame.f_globals if frame is not None else {}), imports
 
 
 def _is_ours(globals_: "dict[str, Any]") -> bool:

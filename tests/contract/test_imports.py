@@ -169,6 +169,8 @@ assert importlib.util.find_spec("numpy").origin == numpy.__file__
 assert (numpy, dataclasses.dataclass) == (ours[0].np, ours[1].dataclass)
 assert numpy.__spec__.loader is numpy.__loader__ and sys.modules["numpy"] is numpy
 assert "inspect" in sys.modules  # which dataclasses imports
+asking = vars(sys.modules["glshim.styling.registry"])
+assert eval("find_spec('no_such_module')", asking) is None  # asked by code of ours
 import glshim
 assert glshim.Option is ours[1].Option and glshim.uninstall() is None
 print(*shown)
