@@ -244,7 +244,8 @@ def _alone(spec: "ModuleSpec") -> "ModuleSpec":
         return spec
 
     def exec_module(module: "ModuleType") -> None:
-        del loader.exec_module
+        if vars(loader).get("exec_module") is exec_module:  # else who shadows it, too, has done so
+            del loader.exec_module
         with OURS_ALONE:
             execute(module)
 

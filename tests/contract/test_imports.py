@@ -172,6 +172,12 @@ assert "inspect" in sys.modules  # which dataclasses imports
 asking = vars(sys.modules["glshim.styling.registry"])
 assert eval("find_spec('no_such_module')", asking) is None  # asked by code of ours
 import glshim
+from glshim.bindings.imports import after_import
+after_import("wave", lambda module: setattr(module, "hooked", True))
+eval("exec('import wave')", asking)  # both finders have to do with it
+assert asking["wave"].hooked
+import wave
+assert wave is asking["wave"]
 assert glshim.Option is ours[1].Option and glshim.uninstall() is None
 print(*shown)
 """
