@@ -39,7 +39,7 @@ PLACES = ("outside", "inside", "fed back", "list")
 TOO_SHORT = frozenset((
     "short", "shorter", "empty", "empty tuple", "nothing", "0-d", "c shorter", "scalar", "none",
     "number", "bytes", "str", "bytearray", "c wrong", "object", "by reference", "of dtype i1",
-    "of dtype u1", "of dtype ?", "of dtype f2", "of dtype i2",
+    "of dtype u1", "of dtype ?", "of dtype f2", "of dtype i2", "buffer object", "backwards",
 ))  # fmt: skip
 """Kinds behind which a raw call, which looks at no size, would read what is not there."""
 Case = tuple[str, str, Callable[..., Any], list[Any], dict[str, Any]]
