@@ -33,7 +33,9 @@ DEBIAN = {  # packages of Debian, unpacked, not installed; the libraries are for
 }
 NEEDS = {"PyOpenGL-Demo": ("six",), "phalcopulse": ("imageio",), "dxf2gcode": ("PyQt5",)}
 PLACES = {"dxf2gcode": "usr/lib/python3/dist-packages"}  # where a source's modules lie
-MODULES = {"pyopengltk": "tkinter", "Togl": "tkinter", "wx": "wx"}  # that are here, or are not
+MODULES = {  # that are here, or are not
+    "pyopengltk": "tkinter", "Togl": "tkinter", "wx": "wx", "PyGObject": "gi",
+}
 LIBRARIES = {"dxf2gcode": "usr/lib/x86_64-linux-gnu", "Togl": "usr/lib/x86_64-linux-gnu"}
 TCL = {"Togl": "usr/lib/tcltk"}  # where packages of Tcl's lie
 

@@ -24,10 +24,11 @@ F1, SHIFT = 0xFFBE, 0xFFE1
 SHIFT_ALONE = ("key", "key t", "key F112", "key LEFT SHIFT", "key Shift_L", "key LSHIFT")
 """What the programs make of a shift key, which nobody takes from them."""
 TOOLKITS = ("glut", "glut deaf", "glfw", "glfw wait", "pygame", "pygame wait", "qt")
-OTHERS = ("tk", "tk togl", "sdl2", "pyglet", "wx")
+OTHERS = ("tk", "tk togl", "sdl2", "pyglet", "wx", "gtk 3", "gtk 4")
 SOURCES = {
     "qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",), "tk togl": ("Togl",),
     "sdl2": ("PySDL2",), "pyglet": ("pyglet",), "wx": ("wx",),
+    "gtk": ("PyGObject",),
 }  # fmt: skip
 """What brings the toolkits that are fetched."""
 
@@ -197,6 +198,9 @@ def test_keys_of_other_toolkits(toolkit: str, display: str, tmp_path: Path) -> N
     styles = "raskar:ink=#ff0000;edge_mesh"
     with running(toolkit, display, tmp_path, GLSHIM_KEYS="on", GLSHIM_STYLES=styles) as program:
         app = f"glshim-keys_{toolkit.split(maxsplit=1)[0]}"
+        if app.endswith("gtk"):  # whose window is there long before it is painted
+            program.wait(lambda: bool(program.lines("painted")), "frame")
+            time.sleep(1.0)
         program.press(9)
         program.wait(lambda: red_of(screen(display)).sum() > 300, "red ink without another event")
         name, inked = program.saved()
