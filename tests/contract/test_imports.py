@@ -133,7 +133,7 @@ CASES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("form", "when"), some(CASES, 3))
+@pytest.mark.parametrize(("form", "when"), some(CASES, 2))
 def test_a_program_with_modules_of_every_name_runs_as_plain_and_is_styled(
     form: str, when: str, names: list[str], tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:

@@ -83,7 +83,7 @@ def said(done: subprocess.CompletedProcess[str]) -> list[str]:
     return [line for line in done.stderr.splitlines() if "no line is drawn" in line]
 
 
-@pytest.mark.parametrize("name", some(tuple(REASONS), 5))
+@pytest.mark.parametrize("name", some(tuple(REASONS), 3))
 def test_a_program_without_a_line_says_why_at_its_end(tmp_path: Path, name: str) -> None:
     program, expected = REASONS[name]
     style = NO_LINES if name == "no line asked for" else "raskar"
