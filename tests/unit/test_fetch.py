@@ -27,6 +27,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT,
     GL_UNSIGNED_SHORT,
 )
+from glshim.spec.roles import Role
 from glshim.system import memory
 
 _TYPES = {GL_UNSIGNED_BYTE: "u1", GL_UNSIGNED_SHORT: "u2", GL_UNSIGNED_INT: "u4"}
@@ -197,3 +198,15 @@ def test_addresses_in_every_form() -> None:
     for value in ([1, 2], "text"):
         with pytest.raises(TypeError):
             arguments.address_of(value)
+
+
+def test_versions_of_deleted_buffers_are_not_kept() -> None:
+    """Drivers may never give a name again: a program that makes buffers in each frame has many."""
+    found = fetch.VertexFetch()
+    for name in range(1, 200):
+        before = found._version(name)
+        found.buffer_written(Role.NAMED_BUFFER_WRITE, (name,))
+        written = found._version(name)
+        found.buffer_written(Role.BUFFERS_WRITE, (1, name))
+        assert len({before, written, found._version(name)}) == 3
+    assert not found._versions

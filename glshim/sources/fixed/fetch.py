@@ -83,6 +83,7 @@ class VertexFetch:
             buffer = integer(_BINDINGS[first])
         else:
             self._epoch = next(_EPOCHS)
+            self._versions.clear()  # of names that may never come again
             return
         self._versions[buffer] = self._versions.get(buffer, 0) + 1
 
