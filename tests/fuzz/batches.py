@@ -39,8 +39,8 @@ def batches(first: int, count: int) -> Iterator[range]:
 
 
 def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) -> list[Finding]:
-    """Play a batch. style: instead of the programs' own, if not empty. most: findings of one
-    cause that are judged and made short; the others are counted."""
+    """Play a batch. style: beside none, instead of the programs' own if not empty. most: findings
+    of one cause that are judged and made short; the others are counted."""
     programs = [program(seed, number) for number in numbers]
     styles = [*dict.fromkeys((NONE, style or programs[0].style))]
     lanes = {each: Lane(each, programs[0].flags) for each in (PLAIN, *styles)}

@@ -15,6 +15,7 @@ from pathlib import Path
 from glshim.running.headless import virtual_screen
 from tests import sweep
 from tests.fuzz.batches import Count, batches, run, show
+from tests.fuzz.compare import NONE
 from tests.fuzz.judging import Finding
 from tests.fuzz.making import program
 
@@ -27,6 +28,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0, help="number of the first (0)")
     parser.add_argument(
         "--style", default="", help="only none and this one, instead of every style in turn"
+    )
+    parser.add_argument(
+        "--every", type=int, default=1, help="styles for one batch of so many; none for all (1)"
     )
     parser.add_argument(
         "--jobs", type=int, default=len(os.sched_getaffinity(0)), help="batches at once"
@@ -54,8 +58,9 @@ def _run(asked: argparse.Namespace) -> int:
     count, findings = Count(), list[Finding]()
     with ThreadPoolExecutor(asked.jobs) as pool:
         jobs = [
-            pool.submit(run, asked.seed, numbers, asked.style, count, asked.shrink)
-            for numbers in batches(asked.first, asked.programs)
+            pool.submit(run, asked.seed, numbers, style, count, asked.shrink)
+            for turn, numbers in enumerate(batches(asked.first, asked.programs))
+            for style in [NONE if turn % asked.every else asked.style]
         ]
         for job in as_completed(jobs):
             for finding in job.result():

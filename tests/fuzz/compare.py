@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from tests.fuzz import awaited, look
+from tests.fuzz import look
 from tests.fuzz.program import functions
 from tests.fuzz.stage import HEIGHT, WIDTH, Note
 
@@ -33,8 +33,7 @@ def differences(
 ) -> list[Difference]:
     """Under ``none`` pictures count, too, and what the program reads of them. A text says how a
     play ended."""
-    found = _differences(steps, plain, other, style == NONE)
-    return [each for each in found if not awaited.difference(style, each.what)]
+    return list(_differences(steps, plain, other, style == NONE))
 
 
 def _differences(

@@ -6,7 +6,6 @@ import random
 from functools import cache
 
 import tests.fuzz.areas  # noqa: F401 (registers what programs do)
-from tests.fuzz import awaited
 from tests.fuzz.program import FLAGS, Program
 from tests.fuzz.writing import AREAS, Writer
 
@@ -45,7 +44,7 @@ def program(seed: int, number: int) -> Program:
         number,
         flags,
         styles()[(seed + batch) % len(styles())],
-        tuple(step for step in w.steps if not awaited.step(step)),
+        tuple(w.steps),
     )
 
 

@@ -28,6 +28,7 @@ def turns(w: Writer) -> None:
     """Another context is made current, sometimes in the middle of something."""
     name = w.pick(w.names["window"])
     if w.maybe(0.2):
+        w.compiles = True
         w.say(f"GL.glNewList({w.whole(1, 4)}, GL.GL_COMPILE)")
     w.say(w.pick((f"use({name})", f"use({name})", "use(None)")))
     if w.maybe(0.5):

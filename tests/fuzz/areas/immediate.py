@@ -105,7 +105,7 @@ def primitive(w: Writer) -> None:
     """A small one, step by step."""
     w.say(f"GL.glBegin({mode(w)})")
     body(w)
-    if not w.maybe(0.02):
+    if w.compiles or not w.maybe(0.02):
         w.say("GL.glEnd()")
 
 

@@ -57,8 +57,8 @@ def compiled(w: Writer) -> None:
     opened, w.compiles = False, True
     for _ in range(w.whole(0, 5)):
         opened = _inner(w, opened)
-    w.compiles = False
     if not w.maybe(0.03):
+        w.compiles = False
         w.say("GL.glEndList()")
     for _ in range(w.whole(0, 2)):
         w.say(w.fill(f"GL.glCallList({name})"))
@@ -93,7 +93,7 @@ def _inner(w: Writer, opened: bool) -> bool:
 @area(4)
 def calls(w: Writer) -> None:
     """Lists called, deleted, asked for."""
-    for _ in range(w.whole(1, 3)):
+    for _ in range(0 if w.compiles else w.whole(1, 3)):
         w.say(call(w))
-    if w.maybe(0.15):
+    if w.maybe(0.15) and not w.compiles:
         w.say(f"GL.glBegin({mode(w)})", call(w), "GL.glEnd()")
