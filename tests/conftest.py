@@ -27,9 +27,8 @@ TIERS = {
     "programs": "programs in processes of their own",
 }
 TIER_OF = {
-    "unit": "unit", "contract": "unit", "differential": "gl", "golden": "gl", "property": "gl",
-    "fuzz": "programs",
-    "programs": "programs", "benchmarks": "programs",
+    "unit": "unit", "contract": "unit", "differential": "gl", "golden": "gl",
+    "programs": "programs", "fuzz": "programs", "benchmarks": "programs",
 }  # fmt: skip
 """By folder."""
 FIRST = (
@@ -39,7 +38,7 @@ FIRST = (
     "golden/test_legacy.py", "programs/test_shot.py", "golden/test_two_pass.py",
 )  # fmt: skip
 """The files that take longest: begun late, one of them would keep one processor busy alone."""
-ORDER = ("fuzz", "differential", "golden", "property", "programs", "benchmarks", "contract", "unit")
+ORDER = ("fuzz", "differential", "golden", "programs", "benchmarks", "contract", "unit")
 _until_the_end = ExitStack()
 
 
