@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from math import degrees, radians
 from typing import Any, ClassVar, cast
 
+from glshim.errors import StyleError
 from glshim.model.dihedral import crease_limits
 from glshim.styling.media.ink import ink
 from glshim.styling.passes import Pass
@@ -113,6 +114,14 @@ class EdgeMesh(Styler):
     def wants_colours(self) -> bool:
         """Marked edges part them."""
         return self.marked
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.strokes != "chained" and not self.ridge_angle <= 180.0 <= self.valley_angle:
+            raise StyleError(
+                f"edge_mesh: strokes={self.strokes} takes a ridge_angle of at most 180 and a "
+                "valley_angle of at least 180 degrees; strokes=chained takes any"
+            )
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Tones, and over them strokes of the chains of all batches, or passes over them. Batches

@@ -299,3 +299,12 @@ def values(option: Option) -> st.SearchStrategy[object]:
 def test_a_style_written_out_is_read_back(chosen: dict[str, object]) -> None:
     written = [f"{option.name}={option.show(chosen[option.name])}" for option in options_of(Raskar)]
     assert parse_style("raskar:" + ",".join(written)) == Raskar(**chosen)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("strokes", ["thin", "quads", "half"])
+def test_strokes_of_the_paper_refuse_angles_that_its_cosines_cannot_tell(strokes: str) -> None:
+    for odd in ("ridge_angle=181", "valley_angle=179"):
+        with pytest.raises(StyleError, match=f"strokes={strokes} takes a ridge_angle"):
+            parse_style(f"edge_mesh:strokes={strokes},{odd}")
+        parse_style(f"edge_mesh:{odd}")
+    parse_style(f"edge_mesh:strokes={strokes},ridge_angle=180,valley_angle=180")
