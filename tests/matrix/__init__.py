@@ -1,0 +1,1 @@
+"""The tests on other Pythons, and on other versions of what glshim stands on."""
