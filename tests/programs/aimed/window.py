@@ -1,5 +1,7 @@
 """What the programs of this folder share: a hidden window that is current, and a triangle."""
 
+import re
+
 import glfw
 from OpenGL import GL
 
@@ -30,7 +32,8 @@ def tried(name, call):
     try:
         print(name, "gives", call())
     except Exception as fault:
-        print(name, type(fault).__name__, getattr(fault, "err", str(fault)[:110]))
+        said = re.sub("0x[0-9a-f]+", "(address)", str(fault))
+        print(name, type(fault).__name__, getattr(fault, "err", said[:200]))
 
 
 def pixels():
