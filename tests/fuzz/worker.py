@@ -11,7 +11,7 @@ import re
 import sys
 from typing import Any
 
-FAULT = re.compile(r"by a fault of glshim|is switched off|^  File .*/glshim/", re.MULTILINE)
+FAULT = re.compile(r"by a fault of glshim|is switched off")
 PLAIN = "plain"
 
 

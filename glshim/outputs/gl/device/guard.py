@@ -20,6 +20,7 @@ from glshim.spec.constants import (
     GL_MATRIX_MODE,
     GL_MAX_ATTRIB_STACK_DEPTH,
     GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
+    GL_MIN,
     GL_NO_ERROR,
     GL_PRIMITIVE_RESTART,
     GL_PROGRAM_PIPELINE_BINDING,
@@ -81,7 +82,7 @@ class Guard:
 
     __slots__ = (
         "_array", "_framebuffers", "_mode", "_pipeline", "_program", "_switches", "_texture",
-        "_unnoticed",
+        "_unnoticed", "_version",
     )  # fmt: skip
 
     def __enter__(self) -> Guard:
@@ -95,7 +96,7 @@ class Guard:
         return self
 
     def _save(self) -> None:
-        number = version() or (1, 1)
+        self._version = number = version() or (1, 1)
         self._program = integer(GL_CURRENT_PROGRAM) if number >= (2, 0) else None
         self._pipeline = integer(GL_PROGRAM_PIPELINE_BINDING) if has_pipelines() else 0
         framebuffers = _FRAMEBUFFERS if has_framebuffers() else ()
@@ -135,6 +136,9 @@ class Guard:
             gl.glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer)
         if self._array is not None:
             gl.glBindVertexArray(0)
+        if self._version >= (4, 0):
+            # So that Mesa pops what each buffer has of its own: it looks at what is set now.
+            gl.glBlendEquationi(1, GL_MIN)
         gl.glPopClientAttrib()
         gl.glPopAttrib()
         if self._texture is not None:

@@ -53,13 +53,16 @@ class Cover:
         if isinstance(self._surface, str):
             self._mask = integers(GL_COLOR_WRITEMASK, 4)
             self._covered = True
-            gl.glColorMask(0, 0, 0, 0)
+            gl.glColorMaski(0, 0, 0, 0, 0)
             return
         program = self._flat()
         self._enabled = [each for each in (GL_BLEND, GL_ALPHA_TEST) if is_enabled(each)]
         self._covered = True
         for switch in self._enabled:
-            gl.glDisable(switch)
+            if switch == GL_BLEND:  # of the first buffer alone: others may be as they are
+                gl.glDisablei(switch, 0)
+            else:
+                gl.glDisable(switch)
         program.use({"colour": (*self._surface, 1.0)})
 
     def uncover(self) -> None:
@@ -69,11 +72,14 @@ class Cover:
         if self._surface in ("paint", "colours"):
             self._paint().end()
         elif isinstance(self._surface, str):
-            gl.glColorMask(*(int(bool(m)) for m in self._mask))
+            gl.glColorMaski(0, *(int(bool(m)) for m in self._mask))
         else:
             gl.glUseProgram(0)
             for switch in self._enabled:
-                gl.glEnable(switch)
+                if switch == GL_BLEND:
+                    gl.glEnablei(switch, 0)
+                else:
+                    gl.glEnable(switch)
         self._covered = False
 
     def release(self) -> None:
