@@ -14,7 +14,8 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import Any
 
-from glshim.spec.constants import GL_FRAGMENT_SHADER
+from glshim.spec.ask import integer
+from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_MAX_TEXTURE_SIZE
 from glshim.spec.context import has_fixed_function
 from glshim.spec.driver import current_context, gl
 from glshim.spec.kinds import BUFFER, PROGRAM, RENDERBUFFER, TEXTURE, Kind
@@ -263,7 +264,8 @@ def space() -> Space | None:
     handle = current_context()
     for each in _spaces:
         if handle in each.contexts:
-            if BUFFER.is_there(each.flag):
+            # Inside a primitive nothing can be asked: it is the context that it was before.
+            if BUFFER.is_there(each.flag) or not integer(GL_MAX_TEXTURE_SIZE):
                 return each
             each.contexts.discard(handle)  # another context has the address of that one
             if not each.contexts:
