@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from glshim import toolkits
 from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
+from glshim.driver.ask import reals
 from glshim.errors import RenderError
 from glshim.model.batch import Wanted
 from glshim.notices import say_fault
@@ -26,7 +27,6 @@ from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.sources.following.silence import Silence
-from glshim.spec.ask import reals
 from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.styling.enlarging import enlarged
 from glshim.styling.options import options_of

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.linework.objects import Objects
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.devices import ModernDevice
@@ -22,7 +23,6 @@ from glshim.outputs.gl.frame.frame import Frame
 from glshim.outputs.gl.lines.pen import Pen, stages
 from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.runner import BY_INDEX, Ready, Runner, issue
-from glshim.spec.driver import gl
 from glshim.styling.lines import Shader
 from glshim.styling.passes import MeshShader, Pass
 from glshim.styling.values import Uniform

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 from OpenGL import GL
 
-from glshim.spec.ask import integer, is_enabled, reals
-from glshim.spec.driver import gl
+from glshim.driver.ask import integer, is_enabled, reals
+from glshim.driver.functions import gl
 
 _SKIPPED = ("_TOKEN", "NUM_EXTENSIONS", "PERFMON", "NVX", "MEMORY_INFO", "TIMESTAMP", "MEM_INFO")
 _MATERIAL = (GL.GL_AMBIENT, GL.GL_DIFFUSE, GL.GL_SPECULAR, GL.GL_EMISSION, GL.GL_SHININESS,

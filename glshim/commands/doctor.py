@@ -14,10 +14,10 @@ from typing import ClassVar
 from glshim import toolkits
 from glshim.commands import doctor_program as program
 from glshim.commands.command import Command
+from glshim.driver.context import UNAVAILABLE
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import environment, launch, probe, startup_cost
 from glshim.running.headless import virtual_screen
-from glshim.spec.context import UNAVAILABLE
 from glshim.styling import registry, texts
 from glshim.toolkits import Part
 

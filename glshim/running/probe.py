@@ -11,8 +11,9 @@ import sys
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 
+from glshim.driver.ask import integer, text
+from glshim.driver.context import MODERN, shortcoming
 from glshim.errors import EnvironmentFault
-from glshim.spec.ask import integer, text
 from glshim.spec.constants import (
     GL_CONTEXT_PROFILE_MASK,
     GL_DEPTH_BITS,
@@ -22,7 +23,6 @@ from glshim.spec.constants import (
     GL_VENDOR,
     GL_VERSION,
 )
-from glshim.spec.context import MODERN, shortcoming
 
 _SECONDS = 60
 

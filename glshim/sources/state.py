@@ -16,8 +16,10 @@ from typing import Any
 
 import numpy as np
 
+from glshim.driver.ask import integer
+from glshim.driver.context import PROGRAM_SWITCHES, other_programs
+from glshim.driver.functions import gl, quick
 from glshim.model.camera import Camera
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_CCW,
     GL_CLIP_PLANE0,
@@ -52,8 +54,6 @@ from glshim.spec.constants import (
     GL_VERTEX_SHADER,
     GL_VIEWPORT,
 )
-from glshim.spec.context import PROGRAM_SWITCHES, other_programs
-from glshim.spec.driver import gl, quick
 
 _CLIP_PLANES = 6
 """As many as every driver has."""

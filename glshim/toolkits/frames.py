@@ -20,8 +20,8 @@ from threading import get_ident
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
+from glshim.driver.functions import current_context
 from glshim.notices import say_fault
-from glshim.spec.driver import current_context
 from glshim.spec.pixels import TextureImage
 from glshim.system import modules
 from glshim.system.interrupts import Held

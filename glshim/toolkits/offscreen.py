@@ -12,7 +12,8 @@ from typing import Any, ClassVar
 
 from glshim.bindings.pyopengl.pictures import stand_around
 from glshim.bindings.pyopengl.raw import Call
-from glshim.spec.ask import integer, size_of
+from glshim.driver.ask import integer, size_of
+from glshim.driver.context import has_framebuffers
 from glshim.spec.constants import (
     GL_COLOR_BUFFER_BIT,
     GL_DOUBLEBUFFER,
@@ -21,7 +22,6 @@ from glshim.spec.constants import (
     GL_READ_BUFFER,
     GL_READ_FRAMEBUFFER_BINDING,
 )
-from glshim.spec.context import has_framebuffers
 from glshim.spec.pixels import COLOURLESS, IMAGE_READS, PICK_AREA, TextureImage
 from glshim.spec.roles import Role, role_of
 from glshim.toolkits import frames

@@ -16,7 +16,7 @@ from dataclasses import replace
 from types import FunctionType
 from typing import Any, ClassVar
 
-from glshim.spec.ask import integer
+from glshim.driver.ask import integer
 from glshim.spec.constants import GL_DRAW_FRAMEBUFFER_BINDING
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit

@@ -19,24 +19,26 @@ EVERYWHERE = ("glshim.errors", "glshim.system.interrupts", "glshim.notices")
 ROOMS = {
     "system": (),
     "model": (),
-    "spec": ("system",),
-    "bindings": ("system", "model", "spec"),
-    "toolkits": ("system", "bindings", "spec"),
-    "sources": ("system", "model", "spec", "bindings"),
+    "spec": (),
+    "driver": ("system", "spec"),
+    "bindings": ("system", "model", "spec", "driver"),
+    "toolkits": ("system", "spec", "driver", "bindings"),
+    "sources": ("system", "model", "spec", "driver", "bindings"),
     "geometry": ("model",),
     "styling": ("system", "model", "geometry"),
     "linework": ("model", "geometry", "styling"),
-    "outputs": ("system", "model", "spec", "geometry", "styling", "linework"),
+    "outputs": ("system", "model", "spec", "driver", "geometry", "styling", "linework"),
     "pipeline": (
-        "system", "model", "spec", "bindings", "toolkits", "sources", "styling", "outputs",
+        "system", "model", "spec", "driver", "bindings", "toolkits", "sources", "styling",
+        "outputs",
     ),
     "control": ("system", "model", "styling", "toolkits", "outputs", "pipeline"),
     "running": (
-        "system", "model", "spec", "bindings", "toolkits", "styling", "outputs", "pipeline",
-        "control",
+        "system", "model", "spec", "driver", "bindings", "toolkits", "styling", "outputs",
+        "pipeline", "control",
     ),
-    "checks": ("model", "spec", "geometry", "styling", "outputs", "pipeline", "running"),
-    "commands": ("system", "spec", "toolkits", "styling", "control", "running", "checks"),
+    "checks": ("model", "spec", "driver", "geometry", "styling", "outputs", "pipeline", "running"),
+    "commands": ("system", "spec", "driver", "toolkits", "styling", "control", "running", "checks"),
 }  # fmt: skip
 """What each room may import besides itself, in the order of the flow."""
 OURS = ("glshim", "stylers", "demo_apps")

@@ -22,8 +22,13 @@ ALLOWED = {
     "glshim/bindings/pyopengl/recorder.py": (
         "{'glBegin': partial(begin, checked=True), 'glEnd': end}"
     ),
+    "glshim/driver/objects.py": (
+        "{'glGenBuffers': _make_buffers, 'glDeleteBuffers': _delete_buffers, "
+        "'glCreateProgram': made_program, 'glDeleteProgram': _delete_program}"
+    ),
 }
-"""By file a decision that may be: here the hooks of a primitive's brackets are named, once."""
+"""By file a decision that may be: the hooks of a primitive's brackets, and the functions that
+moderngl is given, are named there, once."""
 
 
 def is_entry_point(node: ast.AST) -> bool:

@@ -145,7 +145,7 @@ def exception_inside_and_the_next_frame(app: App, count: int) -> None:
 
 @scene
 def errors_are_found_by_the_call_after(app: App) -> None:
-    from glshim.spec.driver import gl
+    from glshim.driver.functions import gl
 
     for count in (3, 150):
         gl.glEnable(0xFFFF)

@@ -13,11 +13,11 @@ import moderngl
 import pytest
 from OpenGL import GL
 
+from glshim.driver import kinds, objects
+from glshim.driver.functions import current_context
 from glshim.outputs.gl.backend import Backend
 from glshim.sources.following import scene
 from glshim.sources.following.scene import Scene
-from glshim.spec import objects
-from glshim.spec.driver import current_context
 
 from .scenes_lists import recorded
 from .scenes_state import mesh
@@ -99,9 +99,9 @@ def test_what_dead_contexts_shared_is_deleted() -> None:
     """Objects live on in the contexts that share with a dead one."""
 
     def ours() -> int:
-        kinds = objects.TEXTURE, objects.BUFFER, objects.RENDERBUFFER, objects.PROGRAM
+        named_alike = objects.TEXTURE, objects.BUFFER, objects.RENDERBUFFER, objects.PROGRAM
         names = [n for first in (1, objects._OFF, objects._FAR) for n in range(first, first + 2000)]
-        return sum(kind.is_there(name) for kind in kinds for name in names)
+        return sum(kinds.is_there(kind, name) for kind in named_alike for name in names)
 
     def child(root: Any) -> int:
         app = App()

@@ -18,8 +18,8 @@ from OpenGL.GLU import gluNewQuadric, gluSphere
 
 import glshim
 from glshim import pipeline
-from glshim.spec import objects
-from glshim.spec.driver import gl
+from glshim.driver import objects
+from glshim.driver.functions import gl
 from glshim.spec.kinds import BUFFER
 from glshim.styling.protocol import Layer, Lines, Styler
 from tests.sweep import some

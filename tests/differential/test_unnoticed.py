@@ -13,10 +13,10 @@ from OpenGL import GL
 from OpenGL.GL.ARB.pipeline_statistics_query import GL_VERTICES_SUBMITTED_ARB
 
 from glshim.bindings.pyopengl import forward
-from glshim.spec import errorflag
-from glshim.spec.driver import gl
-from glshim.spec.queries import counting
-from glshim.spec.unnoticed import Unnoticed
+from glshim.driver import errorflag
+from glshim.driver.functions import gl
+from glshim.driver.queries import counting
+from glshim.driver.unnoticed import Unnoticed
 
 from .test_contexts import VISIBLE, cube, inked
 from .world import App, run, window

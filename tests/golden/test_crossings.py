@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.linework import intersections as geometry
 from glshim.linework.groups import grouped
 from glshim.model.camera import Camera
@@ -19,7 +20,6 @@ from glshim.outputs.gl.device.triangles import triangles as fans
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.frame.frame import Frame, depth_margin
 from glshim.outputs.gl.lines.crossings import Crossings
-from glshim.spec.driver import gl
 from glshim.styling.lines import Medium
 from glshim.styling.media.ink import SHADER
 from glshim.styling.protocol import Layer, Lines

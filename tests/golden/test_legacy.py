@@ -22,7 +22,7 @@ STATE_SCENES = "array_draws-client or everything_under or lists or element_buffe
 
 BARE = """
 from glshim.outputs.gl.device import guard
-from glshim.spec.driver import gl
+from glshim.driver.functions import gl
 from tests.differential.test_contexts import VISIBLE, cube, inked
 from tests.differential.world import run
 from tests.sweep import some

@@ -11,6 +11,7 @@ import pytest
 from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
 from glshim.linework.polygon_lines import polygon_lines
@@ -18,7 +19,6 @@ from glshim.model.camera import Camera
 from glshim.model.lines import RIDGE, Line
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.triangles import triangles
-from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Choice
 from tests import look, oracle

@@ -10,6 +10,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from glshim.driver.functions import gl
 from glshim.geometry import raskar
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
@@ -32,7 +33,6 @@ from glshim.outputs.gl.frame.cameras import turned
 from glshim.outputs.gl.frame.canvas import Canvas
 from glshim.outputs.gl.frame.depth import DepthCopy
 from glshim.outputs.gl.frame.frame import Frame
-from glshim.spec.driver import gl
 from glshim.styling.media.ink import SHADER
 from glshim.styling.media.ink_expansion import expand
 from glshim.styling.wishes import Choice

@@ -10,12 +10,12 @@ import pytest
 from glshim_stylers.raskar import Raskar
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.errors import RenderError
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.devices import LegacyDevice, attach
 from glshim.outputs.gl.lines.pen import Pen
-from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from tests import look
 
@@ -258,6 +258,6 @@ def test_nothing_is_drawn_while_a_list_is_compiled_or_the_stack_is_full(backend)
 
 
 def test_no_context_is_a_render_error(monkeypatch):
-    monkeypatch.setattr("glshim.spec.driver.gl.glGetString", lambda name: None, raising=False)
+    monkeypatch.setattr("glshim.driver.functions.gl.glGetString", lambda name: None, raising=False)
     with pytest.raises(RenderError, match="no GL context"):
         Backend.attach()

@@ -11,11 +11,11 @@ import pytest
 from glshim_stylers.two_pass import TwoPass
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.fixed import FixedPen
-from glshim.spec.driver import gl
 from glshim.styling.protocol import Layer
 from tests import look, oracle
 from tests.differential.test_contexts import cube
@@ -29,7 +29,7 @@ VIEWS = look.directions(6)
 PURPLE = (0x60, 0x20, 0x80)
 
 BARE = """
-from glshim.spec.driver import gl
+from glshim.driver.functions import gl
 from glshim.outputs.gl import fixed
 from tests.differential.test_contexts import cube
 from tests.differential.world import run
@@ -53,7 +53,7 @@ for style in (TwoPass(ink="#602080"), TwoPass(ink="#602080", fill="#ffffff", smo
 """A program under the style, from its calls to its picture."""
 
 OLDEST = """
-from glshim.spec.driver import gl
+from glshim.driver.functions import gl
 from tests import look
 from tests.golden.test_two_pass import CAMERA, ink_of
 from glshim_stylers.two_pass import TwoPass

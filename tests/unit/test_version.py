@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from glshim.driver import context
 from glshim.outputs.gl.frame import grab
-from glshim.spec import context
 from glshim.spec.constants import GL_DRAW_FRAMEBUFFER, GL_READ_FRAMEBUFFER, GL_RED_SCALE
 
 

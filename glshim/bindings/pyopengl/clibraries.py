@@ -11,9 +11,9 @@ from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.driver.functions import gl
 from glshim.notices import say_fault, say_once
 from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
-from glshim.spec.driver import gl
 from glshim.spec.shapes import (
     COUNTS,
     GLU_AUTO_LOAD_MATRIX,

@@ -17,7 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.spec.ask import integer
+from glshim.driver.ask import integer
+from glshim.driver.context import obstacles_to_client_arrays, version_text
+from glshim.driver.functions import current_context, gl, quick
+from glshim.driver.queries import counting_if_seen
 from glshim.spec.attributes import (
     BY_NAME,
     COLOR,
@@ -59,9 +62,6 @@ from glshim.spec.constants import (
     GL_VERTEX_ARRAY,
     GL_VERTEX_ATTRIB_ARRAY_ENABLED,
 )
-from glshim.spec.context import obstacles_to_client_arrays, version_text
-from glshim.spec.driver import current_context, gl, quick
-from glshim.spec.queries import counting_if_seen
 from glshim.system.interrupts import exhaust
 
 SMALL = 128 * RECORD_BYTES

@@ -1,6 +1,6 @@
 """The names that a program is given, where its driver counts upwards: with objects of ours among
 them it would go on from those, so names are given here as it would have without us
-(`glshim.spec.objects`).
+(`glshim.driver.objects`).
 
 With drivers that give the least name that is free, nothing is hooked.
 """
@@ -16,7 +16,7 @@ from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl import programs
 from glshim.bindings.pyopengl.memory import address_of, number
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker, hook_function_below
-from glshim.spec import objects
+from glshim.driver import kinds, objects
 from glshim.spec.kinds import PROGRAM, Kind
 from glshim.spec.naming import BINDINGS, PLAIN, Naming, Row, row_of
 from glshim.system.interrupts import Held
@@ -105,12 +105,12 @@ def _rename(row: Row, args: tuple[Any, ...], space: objects.Space) -> None:
     memory = (ctypes.c_uint * count).from_address(address)
     if not objects.is_late(memory[0]):  # an error: none were given
         return
-    kind.delete(memory)
+    kinds.delete(kind, memory)
     names = space.given(kind, count)
     if row.naming is Naming.CREATES:
         target = number(args, 0) if row.position else 0
         for name in names:
-            kind.create(name, target, BINDINGS.get(target, 0))
+            kinds.create(kind, name, target, BINDINGS.get(target, 0))
     for k, name in enumerate(names):
         memory[k] = name
 

@@ -1,6 +1,6 @@
 """The program's own names of programs and shaders, where its driver counts upwards and has given
 ours some in between: the driver hears its names, the program what it would be told without us
-(`glshim.spec.objects.Programs`).
+(`glshim.driver.objects.Programs`).
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ from typing import Any
 
 from glshim.bindings.pyopengl.memory import address_of, number
 from glshim.bindings.pyopengl.raw import Call, Maker
-from glshim.spec import naming, objects
-from glshim.spec.driver import LETTERS
+from glshim.driver import objects
+from glshim.driver.functions import LETTERS
+from glshim.spec import naming
 from glshim.system.interrupts import Held
 
 Translate = Callable[[int], int]

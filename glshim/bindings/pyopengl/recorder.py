@@ -20,9 +20,9 @@ from glshim.bindings.pyopengl import attributes, bare, conversions, forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
 from glshim.bindings.pyopengl.vectors import vectors
+from glshim.driver.functions import gl, quick
 from glshim.spec.attributes import ATTRIBUTES
 from glshim.spec.constants import GL_TRIANGLE_STRIP_ADJACENCY
-from glshim.spec.driver import gl, quick
 from glshim.system.interrupts import Held, at_once, exhaust, in_turn
 
 _LOOK_OUT = 64

@@ -12,8 +12,8 @@ from typing import Any
 from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.spec import queries
-from glshim.spec.context import compiles_a_list
+from glshim.driver import queries
+from glshim.driver.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,
     INSIDE,

@@ -9,6 +9,9 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.ask import integer
+from glshim.driver.context import MODERN, UNAVAILABLE, shortcoming, version_text
+from glshim.driver.functions import current_context
 from glshim.errors import RenderError
 from glshim.linework.finder import LineFinder
 from glshim.linework.groups import Group, grouped
@@ -32,7 +35,6 @@ from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
 from glshim.outputs.gl.passes.runner import Runner
 from glshim.outputs.output import WINDOW, Destination
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_DEPTH_BITS,
     GL_DEPTH_FUNC,
@@ -40,8 +42,6 @@ from glshim.spec.constants import (
     GL_GEQUAL,
     GL_GREATER,
 )
-from glshim.spec.context import MODERN, UNAVAILABLE, shortcoming, version_text
-from glshim.spec.driver import current_context
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
 from glshim.styling.values import in_order

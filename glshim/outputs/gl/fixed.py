@@ -11,6 +11,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.ask import integer
+from glshim.driver.context import NO_FIXED_FUNCTION, has_fixed_function, version
+from glshim.driver.errorflag import drain
+from glshim.driver.functions import current_context, gl
 from glshim.errors import RenderError
 from glshim.geometry.recovery.outward import outward_sign
 from glshim.model.batch import Item, PolygonBatch
@@ -22,7 +26,6 @@ from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_ALIASED_LINE_WIDTH_RANGE,
     GL_BACK,
@@ -69,9 +72,6 @@ from glshim.spec.constants import (
     GL_VERTEX_ARRAY,
     GL_VERTEX_PROGRAM_ARB,
 )
-from glshim.spec.context import NO_FIXED_FUNCTION, has_fixed_function, version
-from glshim.spec.driver import current_context, gl
-from glshim.spec.errorflag import drain
 from glshim.styling.fixed import BackFaces
 from glshim.styling.values import Colour, in_order
 

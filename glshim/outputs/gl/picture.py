@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from glshim.driver.functions import current_context
+from glshim.driver.objects import context_ended, tidy
 from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.output import Context, Destination, Given, Output
-from glshim.spec.driver import current_context
-from glshim.spec.objects import context_ended, tidy
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
 

@@ -12,9 +12,9 @@ from typing import Any, cast
 from glshim import pipeline
 from glshim.bindings.base import Watcher
 from glshim.bindings.pyopengl.raw import RAW
+from glshim.driver.ask import text
 from glshim.notices import say_fault
 from glshim.running.examination.findings import BEGIN, Findings
-from glshim.spec.ask import text
 from glshim.spec.attributes import RECORD_BYTES
 from glshim.spec.constants import GL_RENDERER, GL_VERSION
 from glshim.spec.roles import Role, role_of

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.spec.ask import integer
+from glshim.driver.ask import integer
+from glshim.driver.functions import gl
 from glshim.spec.constants import (
     GL_PIXEL_UNPACK_BUFFER,
     GL_PIXEL_UNPACK_BUFFER_BINDING,
@@ -17,7 +18,6 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_PIXELS,
     GL_UNPACK_SKIP_ROWS,
 )
-from glshim.spec.driver import gl
 from glshim.system import memory
 
 _UNPACK = {

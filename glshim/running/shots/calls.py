@@ -14,11 +14,13 @@ from typing import Any, Protocol
 import numpy as np
 
 from glshim.bindings.pyopengl.raw import Call
+from glshim.driver.ask import integer, reals
+from glshim.driver.context import compiles_a_list
+from glshim.driver.functions import gl
 from glshim.notices import say_once
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.target import Target
-from glshim.spec.ask import integer, reals
 from glshim.spec.constants import (
     GL_ALIASED_LINE_WIDTH_RANGE,
     GL_COLOR_ATTACHMENT0,
@@ -39,8 +41,6 @@ from glshim.spec.constants import (
     GL_ZOOM_X,
     GL_ZOOM_Y,
 )
-from glshim.spec.context import compiles_a_list
-from glshim.spec.driver import gl
 from glshim.spec.pixels import ANSWERS, POSITIONS, PixelRole, Position, pixel_role
 from glshim.system import memory
 

@@ -13,11 +13,12 @@ import numpy as np
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import Call, hook_function_below
 from glshim.bindings.pyopengl.recorder import RECORDER
+from glshim.driver.ask import integer, reals
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.running.shots import bitmaps
 from glshim.running.shots.mapping import Mapping
-from glshim.spec.ask import integer, reals
 from glshim.spec.constants import (
     GL_ALPHA_TEST,
     GL_BLEND,
@@ -48,7 +49,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_2D,
     GL_UNSIGNED_BYTE,
 )
-from glshim.spec.driver import gl
 
 _SIZE, _MIDDLE = 128, 48
 _OFF = (

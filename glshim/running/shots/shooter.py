@@ -12,6 +12,8 @@ from PIL import Image
 
 from glshim import pipeline
 from glshim.bindings.pyopengl.raw import RAW
+from glshim.driver.ask import integer, integers
+from glshim.driver.functions import current_context, gl
 from glshim.errors import RenderError
 from glshim.notices import say
 from glshim.outputs.gl.frame.grab import grab
@@ -21,7 +23,6 @@ from glshim.running.shots.glyphs import Glyphs
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Plan, Size, Tile, tiles_of
 from glshim.running.shots.target import Target
-from glshim.spec.ask import integer, integers
 from glshim.spec.constants import (
     GL_DOUBLEBUFFER,
     GL_DRAW_BUFFER,
@@ -34,7 +35,6 @@ from glshim.spec.constants import (
     GL_READ_FRAMEBUFFER,
     GL_VIEWPORT,
 )
-from glshim.spec.driver import current_context, gl
 from glshim.system.writing import write_picture
 from glshim.toolkits import frames
 

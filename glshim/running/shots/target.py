@@ -7,12 +7,14 @@ from contextlib import contextmanager
 
 from PIL.Image import Image
 
+from glshim.driver.ask import integer
+from glshim.driver.errorflag import drain
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.guard import Guard
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.grab import grab
 from glshim.running.shots.mapping import Mapping
 from glshim.running.shots.plan import Size
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_ALPHA_BITS,
     GL_COLOR_BUFFER_BIT,
@@ -35,8 +37,6 @@ from glshim.spec.constants import (
     GL_STENCIL_BUFFER_BIT,
     GL_STENCIL_INDEX8,
 )
-from glshim.spec.driver import gl
-from glshim.spec.errorflag import drain
 
 _DEPTHS = {
     16: GL_DEPTH_COMPONENT16, 24: GL_DEPTH_COMPONENT24, 32: GL_DEPTH_COMPONENT32,

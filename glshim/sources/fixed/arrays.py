@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from glshim.spec.ask import (
+from glshim.driver.ask import (
     integer,
     is_enabled,
     of_attribute,
@@ -14,6 +14,7 @@ from glshim.spec.ask import (
     pointer_of,
     pointer_of_attribute,
 )
+from glshim.driver.context import version
 from glshim.spec.constants import (
     GL_DOUBLE,
     GL_FLOAT,
@@ -45,7 +46,6 @@ from glshim.spec.constants import (
     GL_VERTEX_BINDING_OFFSET,
     GL_VERTEX_BINDING_STRIDE,
 )
-from glshim.spec.context import version
 
 DTYPES = {
     GL_SHORT: np.int16, GL_INT: np.int32, GL_FLOAT: np.float32, GL_DOUBLE: np.float64,

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver.ask import integer
 from glshim.model.batch import Wanted
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.lists import Closing, ListBook, LooseVertices, Opening, Step, list_names
 from glshim.sources.source import Call
-from glshim.spec.ask import integer
 from glshim.spec.constants import GL_COMPILE, GL_LIST_BASE
 from glshim.spec.roles import Role
 

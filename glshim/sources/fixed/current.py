@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from glshim.driver.ask import is_enabled, of_material, reals
 from glshim.model.batch import Wanted
 from glshim.sources.state import DrawState
-from glshim.spec.ask import is_enabled, of_material, reals
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.constants import (
     GL_COLOR_MATERIAL,

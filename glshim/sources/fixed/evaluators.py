@@ -6,11 +6,11 @@ import ctypes
 from collections.abc import Hashable
 from typing import Any
 
+from glshim.driver.ask import integers, is_enabled, reals
+from glshim.driver.functions import gl
 from glshim.sources.arguments import signed
-from glshim.spec.ask import integers, is_enabled, reals
 from glshim.spec.constants import GL_COEFF, GL_DOMAIN, GL_ORDER
 from glshim.spec.draws import EVALUATOR_MESHES
-from glshim.spec.driver import gl
 
 
 def evaluator_key(name: str, args: tuple[Any, ...]) -> Hashable:

@@ -16,9 +16,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.ask import integer, pointer_of
+from glshim.driver.functions import gl
+from glshim.driver.unnoticed import Unnoticed
 from glshim.model.batch import PolygonBatch
 from glshim.model.polygons import fan
-from glshim.spec.ask import integer, pointer_of
 from glshim.spec.constants import (
     GL_3D,
     GL_ALL_ATTRIB_BITS,
@@ -57,8 +59,6 @@ from glshim.spec.constants import (
     GL_PROJECTION_MATRIX,
     GL_RENDER,
 )
-from glshim.spec.driver import gl
-from glshim.spec.unnoticed import Unnoticed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

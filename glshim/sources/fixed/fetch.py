@@ -11,6 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.ask import integer, of_buffer
+from glshim.driver.context import restarts_primitives
+from glshim.driver.functions import current_context, gl
 from glshim.model.batch import PolygonBatch, Wanted, join
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
@@ -18,7 +21,6 @@ from glshim.sources.arguments import address_of, number, signed, unsigned
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.arrays import DTYPES, Array, Unfetchable, normal_array, vertex_array
 from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners
-from glshim.spec.ask import integer, of_buffer
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
     GL_ARRAY_BUFFER_BINDING,
@@ -30,9 +32,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT,
     GL_UNSIGNED_SHORT,
 )
-from glshim.spec.context import restarts_primitives
 from glshim.spec.draws import Signature, signature_of
-from glshim.spec.driver import current_context, gl
 from glshim.spec.roles import Role
 from glshim.system import memory
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from functools import partial
 
+from glshim.driver.ask import is_enabled, of_light, reals
 from glshim.model.lights import Light, Lighting
-from glshim.spec.ask import is_enabled, of_light, reals
 from glshim.spec.constants import (
     GL_AMBIENT,
     GL_CONSTANT_ATTENUATION,

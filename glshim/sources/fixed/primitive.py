@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
-from glshim.spec.driver import gl
+from glshim.driver.functions import gl
 
 
 class OpenPrimitive:

@@ -8,6 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver.ask import integer
+from glshim.driver.functions import current_context, gl
 from glshim.model.batch import WHOLE, PolygonBatch, Wanted
 from glshim.model.camera import Camera
 from glshim.notices import say_once
@@ -24,7 +26,6 @@ from glshim.sources.fixed.rectangles import rectangle
 from glshim.sources.fixed.shapes import Shapes
 from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
 from glshim.sources.state import DrawState
-from glshim.spec.ask import integer
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.constants import (
     GL_DRAW_FRAMEBUFFER,
@@ -32,7 +33,6 @@ from glshim.spec.constants import (
     GL_MATRIX_MODE,
     GL_QUADS,
 )
-from glshim.spec.driver import current_context, gl
 from glshim.spec.roles import LIST_CALLS, Role
 from glshim.spec.shapes import Shape
 

@@ -10,8 +10,10 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass
 
-from glshim.spec import errorflag
-from glshim.spec.ask import integer
+from glshim.driver import errorflag
+from glshim.driver.ask import integer
+from glshim.driver.functions import gl
+from glshim.driver.unnoticed import Unnoticed
 from glshim.spec.constants import (
     GL_QUERY_BUFFER,
     GL_QUERY_BUFFER_BINDING,
@@ -24,8 +26,6 @@ from glshim.spec.constants import (
     GL_QUERY_RESULT_AVAILABLE,
     GL_QUERY_WAIT_INVERTED,
 )
-from glshim.spec.driver import gl
-from glshim.spec.unnoticed import Unnoticed
 
 _INVERTED = frozenset((
     GL_QUERY_WAIT_INVERTED, GL_QUERY_NO_WAIT_INVERTED, GL_QUERY_BY_REGION_WAIT_INVERTED,

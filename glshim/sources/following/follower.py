@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver.queries import UNCOUNTED, counting
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_fault, say_once
 from glshim.sources.arguments import name as name_among
@@ -22,7 +23,6 @@ from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
 from glshim.spec.pixels import PICK_AREA
-from glshim.spec.queries import UNCOUNTED, counting
 from glshim.spec.roles import (
     BUFFER_WRITES,
     CONDITIONS,

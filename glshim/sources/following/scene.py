@@ -6,6 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver import kinds
+from glshim.driver.context import shortcoming
+from glshim.driver.functions import current_context
+from glshim.driver.lifetime import witness
+from glshim.driver.objects import made
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
 from glshim.sources import arguments
@@ -16,11 +21,7 @@ from glshim.sources.following.layers import LayerCollector
 from glshim.sources.programs.source import Programs
 from glshim.sources.source import Source
 from glshim.sources.state import DrawState, StateReader
-from glshim.spec.context import shortcoming
-from glshim.spec.driver import current_context
 from glshim.spec.kinds import FRAMEBUFFER
-from glshim.spec.lifetime import witness
-from glshim.spec.objects import made
 from glshim.spec.roles import Role
 
 _FRAMES_BETWEEN_LOOKS = 256
@@ -84,7 +85,7 @@ class Scene:
         """Whether the current context is another one, at the address of the one that was."""
         if not self._is_there():
             return True
-        return bool(self._marker) and not FRAMEBUFFER.is_there(self._marker)
+        return bool(self._marker) and not kinds.is_there(FRAMEBUFFER, self._marker)
 
     @property
     def gone(self) -> bool:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from glshim.spec.ask import integer
+from glshim.driver.ask import integer
+from glshim.driver.context import version
+from glshim.driver.functions import gl
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
     GL_COLOR_ARRAY,
@@ -21,8 +23,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_COORD_ARRAY,
     GL_VERTEX_ARRAY,
 )
-from glshim.spec.context import version
-from glshim.spec.driver import gl
 
 _ARRAYS = (
     GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_INDEX_ARRAY, GL_EDGE_FLAG_ARRAY,

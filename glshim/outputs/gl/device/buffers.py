@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.spec.constants import GL_ARRAY_BUFFER
-from glshim.spec.driver import gl
 
 
 class Buffer:

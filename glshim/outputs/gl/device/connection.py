@@ -13,10 +13,10 @@ from typing import Any
 
 import moderngl
 
-from glshim.spec.ask import text
+from glshim.driver.ask import text
+from glshim.driver.functions import address, gl, prototype
+from glshim.driver.objects import function_for_ours
 from glshim.spec.constants import GL_RENDERER, GL_VENDOR, GL_VERSION
-from glshim.spec.driver import address, gl, prototype
-from glshim.spec.objects import function_for_ours
 from glshim.spec.signatures import deletes
 
 

@@ -11,15 +11,15 @@ from weakref import WeakSet
 
 import moderngl
 
+from glshim.driver.context import MODERN, OLDEST, version
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete, losses, made_program
 from glshim.errors import RenderError
 from glshim.outputs.gl.device.connection import connection
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.programs import Program
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_LINK_STATUS, GL_VERTEX_SHADER
-from glshim.spec.context import MODERN, OLDEST, version
-from glshim.spec.driver import gl
 from glshim.spec.kinds import PROGRAM
-from glshim.spec.objects import delete, losses, made_program
 
 _INFO_BYTES = 4096
 """Of what a driver says about a shader, at most."""

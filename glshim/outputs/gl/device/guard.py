@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from types import TracebackType
 
-from glshim.spec.ask import integer, is_enabled, of_program
+from glshim.driver.ask import integer, is_enabled, of_program
+from glshim.driver.context import has_framebuffers, has_pipelines, has_vertex_arrays, version
+from glshim.driver.functions import gl
+from glshim.driver.unnoticed import Unnoticed
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
     GL_ALL_ATTRIB_BITS,
@@ -34,9 +37,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_CUBE_MAP_SEAMLESS,
     GL_VERTEX_ARRAY_BINDING,
 )
-from glshim.spec.context import has_framebuffers, has_pipelines, has_vertex_arrays, version
-from glshim.spec.driver import gl
-from glshim.spec.unnoticed import Unnoticed
 
 _STACKS = (
     (GL_ATTRIB_STACK_DEPTH, GL_MAX_ATTRIB_STACK_DEPTH),

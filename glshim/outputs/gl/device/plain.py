@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from glshim.driver.errorflag import drain
+from glshim.driver.functions import gl
 from glshim.spec.constants import (
     GL_ALPHA_TEST,
     GL_BLEND,
@@ -27,8 +29,6 @@ from glshim.spec.constants import (
     GL_SAMPLE_COVERAGE,
     GL_STENCIL_TEST,
 )
-from glshim.spec.driver import gl
-from glshim.spec.errorflag import drain
 
 OFF = (
     GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_ALPHA_TEST, GL_INDEX_LOGIC_OP, GL_COLOR_LOGIC_OP,

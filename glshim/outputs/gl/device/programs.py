@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from glshim.driver.functions import gl, quick
 from glshim.spec.constants import (
     GL_ACTIVE_UNIFORMS,
     GL_BOOL,
@@ -38,7 +39,6 @@ from glshim.spec.constants import (
     GL_FLOAT_MAT4x2,
     GL_FLOAT_MAT4x3,
 )
-from glshim.spec.driver import gl, quick
 
 _SETTERS: dict[int, tuple[str, int, type[np.generic]]] = {
     kind: (f"glUniform{size}{letter}v", size, numbers)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from glshim.driver import kinds
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete, made
 from glshim.errors import RenderError
 from glshim.spec.constants import (
     GL_COLOR_ATTACHMENT0,
@@ -41,9 +44,7 @@ from glshim.spec.constants import (
     GL_UNSIGNED_INT,
     GL_UNSIGNED_INT_24_8,
 )
-from glshim.spec.driver import gl
 from glshim.spec.kinds import FRAMEBUFFER, RENDERBUFFER, TEXTURE
-from glshim.spec.objects import delete, made
 
 _COLOURS = {
     GL_RGB8: (GL_RGBA, GL_UNSIGNED_BYTE),
@@ -95,7 +96,7 @@ class RenderTarget:
     def fit(self, width: int, height: int) -> None:
         """Have room for so many pixels, and bind it where it had too few. What it held is lost
         then. Raises `RenderError` where the driver has no such framebuffer."""
-        if self.name and not FRAMEBUFFER.is_there(self.name):  # the program has deleted it
+        if self.name and not kinds.is_there(FRAMEBUFFER, self.name):  # the program has deleted it
             self.release()
         if width <= self.size[0] and height <= self.size[1]:
             return

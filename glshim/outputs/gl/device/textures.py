@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete, made
 from glshim.spec.constants import (
     GL_CLAMP_TO_EDGE,
     GL_LINEAR,
@@ -24,9 +26,7 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_ROWS,
     GL_UNSIGNED_BYTE,
 )
-from glshim.spec.driver import gl
 from glshim.spec.kinds import TEXTURE
-from glshim.spec.objects import delete, made
 from glshim.styling.pictures import Image
 
 STROKE_UNIT = 13

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
+from glshim.driver.objects import made
 from glshim.spec.constants import (
     GL_FLOAT,
     GL_INT,
@@ -26,9 +28,7 @@ from glshim.spec.constants import (
     GL_UNPACK_SKIP_PIXELS,
     GL_UNPACK_SKIP_ROWS,
 )
-from glshim.spec.driver import gl
 from glshim.spec.kinds import TEXTURE
-from glshim.spec.objects import made
 
 WIDTH = 2048
 """Texels in a row of a texture that has more than one."""

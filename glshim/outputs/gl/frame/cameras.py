@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
 from glshim.model.camera import Camera
 from glshim.outputs.gl.device.textures import STROKE_UNIT
 from glshim.outputs.gl.frame.depth import UNIT as DEPTH_UNIT
 from glshim.outputs.gl.frame.depth import Box
 from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_STENCIL_TEST
-from glshim.spec.driver import gl
 
 MOST_CLIP_PLANES = 6
 Size = tuple[int, int]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.devices import Device
 from glshim.outputs.gl.device.programs import shader_text
 from glshim.outputs.gl.device.target import RenderTarget
@@ -26,7 +27,6 @@ from glshim.spec.constants import (
     GL_SCISSOR_TEST,
     GL_TRIANGLES,
 )
-from glshim.spec.driver import gl
 
 _UNIT = 14
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from glshim.driver.ask import integer
+from glshim.driver.functions import gl
 from glshim.notices import say_once
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.depth import Box
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_ALPHA_BITS,
     GL_COLOR_BUFFER_BIT,
@@ -20,7 +21,6 @@ from glshim.spec.constants import (
     GL_RGBA8,
     GL_SCISSOR_TEST,
 )
-from glshim.spec.driver import gl
 
 UNIT = 5
 """Texture unit of the copy while passes are drawn."""

@@ -7,14 +7,14 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
+from glshim.driver.ask import integers, is_enabled
+from glshim.driver.functions import current_context, gl
+from glshim.driver.queries import counting
+from glshim.driver.unnoticed import Unnoticed
 from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
-from glshim.spec.ask import integers, is_enabled
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
-from glshim.spec.driver import current_context, gl
-from glshim.spec.queries import counting
-from glshim.spec.unnoticed import Unnoticed
 from glshim.styling.protocol import Colour
 
 

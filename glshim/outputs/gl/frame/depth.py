@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from glshim.driver.ask import integer
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.target import RenderTarget
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_DEPTH24_STENCIL8,
     GL_DEPTH_BIAS,
@@ -21,7 +22,6 @@ from glshim.spec.constants import (
     GL_STENCIL_BITS,
     GL_TEXTURE_2D,
 )
-from glshim.spec.driver import gl
 
 UNIT = 15
 """Texture unit of the copy while lines are drawn: one that apps hardly use."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from glshim.driver.functions import gl
 from glshim.model.batch import Item
 from glshim.outputs.gl.device.devices import Device
 from glshim.outputs.gl.device.programs import shader_text
@@ -20,7 +21,6 @@ from glshim.spec.constants import (
     GL_SCISSOR_TEST,
     GL_TRIANGLES,
 )
-from glshim.spec.driver import gl
 
 _NO_PLANE = (0.0, 0.0, 0.0, 1.0)
 

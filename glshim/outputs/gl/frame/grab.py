@@ -12,9 +12,13 @@ from typing import Any
 from PIL import Image as Pillow
 from PIL.Image import Image
 
+from glshim.driver.ask import integer, integers, is_enabled, real
+from glshim.driver.context import has_fixed_function, number_of_any_api, version
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete, made
+from glshim.driver.unnoticed import Unnoticed
 from glshim.errors import shown
 from glshim.notices import say
-from glshim.spec.ask import integer, integers, is_enabled, real
 from glshim.spec.constants import (
     GL_BACK,
     GL_BLUE_BIAS,
@@ -51,12 +55,8 @@ from glshim.spec.constants import (
     GL_UNSIGNED_BYTE,
     GL_VIEWPORT,
 )
-from glshim.spec.context import has_fixed_function, number_of_any_api, version
-from glshim.spec.driver import gl
 from glshim.spec.kinds import FRAMEBUFFER, RENDERBUFFER
-from glshim.spec.objects import delete, made
 from glshim.spec.pixels import TextureImage
-from glshim.spec.unnoticed import Unnoticed
 from glshim.system.writing import picture_target, write_picture
 
 Size = tuple[int, int]

@@ -12,10 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
+from glshim.driver.ask import integer, integers
+from glshim.driver.context import shortcoming
+from glshim.driver.functions import gl
+from glshim.driver.queries import counting
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.wrapping import wrapped
-from glshim.spec.ask import integer, integers
 from glshim.spec.constants import (
     GL_ALPHA_BIAS,
     GL_ALPHA_SCALE,
@@ -53,9 +56,6 @@ from glshim.spec.constants import (
     GL_UNSIGNED_BYTE,
     GL_VIEWPORT,
 )
-from glshim.spec.context import shortcoming
-from glshim.spec.driver import gl
-from glshim.spec.queries import counting
 
 MARGIN, PADDING = 8, 7
 """Pixels around the panel, and in it around the text."""

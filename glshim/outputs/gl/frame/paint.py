@@ -9,9 +9,10 @@ from __future__ import annotations
 import ctypes
 from typing import Any
 
+from glshim.driver.ask import integer, is_enabled
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.devices import Device
 from glshim.outputs.gl.device.programs import shader_text
-from glshim.spec.ask import integer, is_enabled
 from glshim.spec.constants import (
     GL_ACTIVE_TEXTURE,
     GL_AMBIENT_AND_DIFFUSE,
@@ -38,7 +39,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_GEN_S,
     GL_VERTEX_PROGRAM_TWO_SIDE,
 )
-from glshim.spec.driver import gl
 
 _UNITS = 4
 """Units whose coordinates are handed on; those beyond have none."""

@@ -15,6 +15,8 @@ from functools import cached_property
 
 import numpy as np
 
+from glshim.driver.ask import integer
+from glshim.driver.functions import gl
 from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.batch import Item, PolygonBatch, join
@@ -29,7 +31,6 @@ from glshim.outputs.gl.device.triangles import triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, box_of, scissor
 from glshim.outputs.gl.frame.depth import UNIT, Box
 from glshim.outputs.gl.frame.frame import Frame
-from glshim.spec.ask import integer
 from glshim.spec.constants import (
     GL_CLIP_PLANE0,
     GL_COLOR,
@@ -58,7 +59,6 @@ from glshim.spec.constants import (
     GL_TRIANGLES,
     GL_UNSIGNED_INT,
 )
-from glshim.spec.driver import gl
 
 _SMALL = 512
 """Triangles up to which what has one modelview is drawn together with others."""

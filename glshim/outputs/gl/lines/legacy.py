@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.context import MODERN
+from glshim.driver.functions import gl
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
@@ -15,8 +17,6 @@ from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import inputs_of
 from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLES
-from glshim.spec.context import MODERN
-from glshim.spec.driver import gl
 from glshim.styling.lines import Expansion, Shader
 from glshim.styling.values import Uniform
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
 from glshim.model.camera import Camera
 from glshim.model.lines import RECORD
 from glshim.outputs.gl.device.arrays import put_away
@@ -16,7 +17,6 @@ from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, inputs_of
 from glshim.outputs.gl.frame.frame import Frame
 from glshim.spec.constants import GL_FLOAT, GL_TRIANGLE_STRIP
-from glshim.spec.driver import gl
 from glshim.styling.lines import Shader
 from glshim.styling.values import Uniform
 

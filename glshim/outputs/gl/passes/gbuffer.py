@@ -6,6 +6,7 @@ T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990;
 
 from __future__ import annotations
 
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.outputs.gl.frame.depth import Box
 from glshim.spec.constants import (
@@ -14,7 +15,6 @@ from glshim.spec.constants import (
     GL_DEPTH_COMPONENT24,
     GL_RGBA32F,
 )
-from glshim.spec.driver import gl
 
 UNIT = 4
 """Texture unit of it while passes are drawn."""

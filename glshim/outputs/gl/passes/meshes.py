@@ -12,6 +12,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete
 from glshim.geometry.crease.creases import Creases, Criterion
 from glshim.geometry.meshshaders.edge_mesh import EdgeMesh, edge_mesh, inner_sides
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
@@ -25,9 +27,7 @@ from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.uploads import upload
 from glshim.outputs.gl.passes.sieved import Sieved
 from glshim.spec.constants import GL_ELEMENT_ARRAY_BUFFER, GL_TEXTURE0, GL_TEXTURE_2D
-from glshim.spec.driver import gl
 from glshim.spec.kinds import TEXTURE
-from glshim.spec.objects import delete
 from glshim.styling.passes import Element
 
 UNITS = {

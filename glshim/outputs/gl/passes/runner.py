@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from glshim.driver.functions import gl
 from glshim.errors import RenderError
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
 from glshim.linework.objects import Objects
@@ -40,7 +41,6 @@ from glshim.spec.constants import (
     GL_TRIANGLES_ADJACENCY,
     GL_UNSIGNED_INT,
 )
-from glshim.spec.driver import gl
 from glshim.styling.passes import VERTICES, Pass, State
 from glshim.styling.values import Body
 

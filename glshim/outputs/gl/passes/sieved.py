@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete
 from glshim.geometry.crease.creases import Creases
 from glshim.geometry.meshshaders.edge_mesh import CONTOUR, EdgeMesh
 from glshim.geometry.meshshaders.extent import Extent
@@ -23,9 +25,7 @@ from glshim.spec.constants import (
     GL_TEXTURE0,
     GL_TEXTURE_2D,
 )
-from glshim.spec.driver import gl
 from glshim.spec.kinds import TEXTURE
-from glshim.spec.objects import delete
 from glshim.styling.passes import Element, Sieve
 
 UNIT = 12

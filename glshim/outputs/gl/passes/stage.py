@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from glshim.driver.functions import gl
 from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.programs import shader_text
 from glshim.outputs.gl.frame.canvas import Canvas, fill_viewport
@@ -12,7 +13,6 @@ from glshim.spec.constants import (
     GL_DEPTH_TEST,
     GL_STENCIL_BUFFER_BIT,
 )
-from glshim.spec.driver import gl
 
 NOTHING_DRAWN = 255
 """What the stencil begins with (McGuire & Hughes 2004, section 3.4)."""

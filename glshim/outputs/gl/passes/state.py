@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from glshim.driver.functions import gl
 from glshim.outputs.gl.passes.stage import NOTHING_DRAWN
 from glshim.spec.constants import (
     GL_ALWAYS,
@@ -33,7 +34,6 @@ from glshim.spec.constants import (
     GL_STENCIL_TEST,
     GL_ZERO,
 )
-from glshim.spec.driver import gl
 from glshim.styling.passes import Comparison, State, Stencil
 
 _TESTS = {

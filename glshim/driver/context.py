@@ -6,7 +6,8 @@ import ctypes
 import re
 from functools import cache
 
-from glshim.spec.ask import integer, text
+from glshim.driver.ask import integer, text
+from glshim.driver.functions import current_context, gl
 from glshim.spec.constants import (
     GL_CONTEXT_CORE_PROFILE_BIT,
     GL_CONTEXT_PROFILE_MASK,
@@ -23,7 +24,6 @@ from glshim.spec.constants import (
     GL_VERTEX_PROGRAM_ARB,
     GL_VERTEX_SHADER_EXT,
 )
-from glshim.spec.driver import current_context, gl
 
 Version = tuple[int, int]
 

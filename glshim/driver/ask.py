@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 
+from glshim.driver.functions import gl
 from glshim.spec.constants import (
     GL_TEXTURE_2D,
     GL_TEXTURE_HEIGHT,
@@ -12,7 +13,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_WIDTH,
     GL_VERTEX_ATTRIB_ARRAY_POINTER,
 )
-from glshim.spec.driver import gl
 from glshim.spec.pixels import TextureImage
 
 

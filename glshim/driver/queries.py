@@ -8,7 +8,10 @@ from collections.abc import Callable
 from functools import cache, partial
 from typing import Any
 
-from glshim.spec import errorflag
+from glshim.driver import errorflag
+from glshim.driver.context import version, version_text
+from glshim.driver.functions import quick
+from glshim.driver.unnoticed import Unnoticed
 from glshim.spec.constants import (
     GL_ANY_SAMPLES_PASSED,
     GL_ANY_SAMPLES_PASSED_CONSERVATIVE,
@@ -24,9 +27,6 @@ from glshim.spec.constants import (
     GL_VERTEX_SHADER_INVOCATIONS_ARB,
     GL_VERTICES_SUBMITTED_ARB,
 )
-from glshim.spec.context import version, version_text
-from glshim.spec.driver import quick
-from glshim.spec.unnoticed import Unnoticed
 from glshim.system.interrupts import at_once
 
 _TARGETS = (

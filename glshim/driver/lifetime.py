@@ -14,7 +14,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
-from glshim.spec.driver import address, current_context
+from glshim.driver.functions import address, current_context
 
 Witness = Callable[[], bool]
 """False once a context is gone, for sure; its handle may be another one's then."""

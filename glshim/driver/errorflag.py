@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from glshim.spec.ask import integer
+from glshim.driver.ask import integer
+from glshim.driver.context import has_debug_output, has_fixed_function, has_framebuffers
+from glshim.driver.functions import gl
+from glshim.driver.objects import delete, made
 from glshim.spec.constants import (
     GL_ARRAY_BUFFER,
     GL_ARRAY_BUFFER_BINDING,
@@ -35,10 +38,7 @@ from glshim.spec.constants import (
     GL_TEXTURE,
     GL_TEXTURE_STACK_DEPTH,
 )
-from glshim.spec.context import has_debug_output, has_fixed_function, has_framebuffers
-from glshim.spec.driver import gl
 from glshim.spec.kinds import BUFFER, FRAMEBUFFER
-from glshim.spec.objects import delete, made
 
 _MOST = 16
 """Flags that are looked at: a context that is lost reports errors for ever."""

@@ -1,17 +1,17 @@
 """Work of ours of which the program hears nothing: not by its error flag, nor by debug output, nor
-in what its transform feedback captures. What its queries count: `glshim.spec.queries`."""
+in what its transform feedback captures. What its queries count: `glshim.driver.queries`."""
 
 from __future__ import annotations
 
-from glshim.spec import errorflag
-from glshim.spec.ask import integer, is_enabled
+from glshim.driver import errorflag
+from glshim.driver.ask import integer, is_enabled
+from glshim.driver.context import has_debug_output, has_pauses
+from glshim.driver.functions import gl
 from glshim.spec.constants import (
     GL_DEBUG_OUTPUT,
     GL_TRANSFORM_FEEDBACK_ACTIVE,
     GL_TRANSFORM_FEEDBACK_PAUSED,
 )
-from glshim.spec.context import has_debug_output, has_pauses
-from glshim.spec.driver import gl
 from glshim.system.interrupts import Held
 
 

@@ -3,7 +3,7 @@
 A program shares the names of objects with us, in all contexts that share. What it is given by
 glGen* and glCreate*, what glIs* says, and objects that it names by itself are as they are without
 us: ours have names of our own choice, far from any that it is given or thinks of. How drivers give
-names is in `docs/decisions/0009-names-of-objects.md`.
+names is in `docs/decisions/0010-names-of-objects.md`.
 """
 
 from __future__ import annotations
@@ -11,13 +11,15 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import count
 from typing import Any
 
-from glshim.spec.ask import integer
+from glshim.driver import kinds
+from glshim.driver.ask import integer
+from glshim.driver.context import has_fixed_function
+from glshim.driver.functions import current_context, gl
 from glshim.spec.constants import GL_FRAGMENT_SHADER, GL_MAX_TEXTURE_SIZE
-from glshim.spec.context import has_fixed_function
-from glshim.spec.driver import current_context, gl
 from glshim.spec.kinds import BUFFER, PROGRAM, RENDERBUFFER, TEXTURE, Kind
 
 _FAR = 0x5B400000
@@ -64,7 +66,7 @@ class Space:
         while len(names) < number:
             name = following
             following += 1
-            if kind.is_there(name):  # of the program's, made where we do not hear it
+            if kinds.is_there(kind, name):  # of the program's, made where we do not hear it
                 names.clear()
             else:
                 names.append(name)
@@ -74,7 +76,7 @@ class Space:
     def met(self, kind: Kind, name: int) -> None:
         """The program may have made an object of a name of its choice."""
         ours = _FAR <= name < _FAR + _ROOM
-        if not ours and self.last[kind] < name < _END and kind.is_there(name):
+        if not ours and self.last[kind] < name < _END and kinds.is_there(kind, name):
             self._reach(kind, name)
 
     def _reach(self, kind: Kind, name: int) -> None:
@@ -124,12 +126,12 @@ class Programs:
 
     def _is_foreign(self, name: int) -> bool:
         """Whether C code has made what has that name, unheard."""
-        return name not in self.ours and name not in self._own and PROGRAM.is_there(name)
+        return name not in self.ours and name not in self._own and kinds.is_there(PROGRAM, name)
 
     def _tidy(self) -> None:
         """Forget what is deleted: its names do not come again."""
         for own, name in [*self._drivers.items()]:
-            if not PROGRAM.is_there(name):
+            if not kinds.is_there(PROGRAM, name):
                 del self._drivers[own], self._own[name]
         self._most = 2 * len(self._drivers) + 1024
 
@@ -164,23 +166,23 @@ def _note(kind: Kind, name: int) -> None:
 
 def _made(kind: Kind) -> int:
     if not has_fixed_function():  # nothing of ours stays in a core profile
-        return kind.generate(1)[0]
-    if not kind.is_free:
+        return kinds.generate(kind, 1)[0]
+    if not kinds.is_free(kind):
         return _reserved(kind)
     counts = kind in _space(kind).last
     spare = _spare.setdefault((kind, counts), [])
     while True:
         name = spare.pop() if spare else next(_far if counts else _off)
-        if not kind.is_there(name):
+        if not kinds.is_there(kind, name):
             break
-    kind.create(name)
-    return name if kind.is_there(name) else _reserved(kind)
+    kinds.create(kind, name)
+    return name if kinds.is_there(kind, name) else _reserved(kind)
 
 
 def delete(kind: Kind, names: Iterable[int]) -> None:
     """Delete objects that were `made`."""
     listed = [name for name in names if name]
-    kind.delete(listed)
+    kinds.delete(kind, listed)
     _made_in.get(current_context(), {}).get(kind, set()).difference_update(listed)
     for name in listed:
         if name >= _OFF and kind is not PROGRAM:
@@ -208,10 +210,10 @@ def tidy() -> None:
     here = space()
     if here is not None:
         for kind, names in here.left.items():
-            delete(kind, filter(kind.is_there, names))
+            delete(kind, filter(partial(kinds.is_there, kind), names))
         here.left = {}
         if here.programs is not None:
-            here.programs.ours = set(filter(PROGRAM.is_there, here.programs.ours))
+            here.programs.ours = set(filter(partial(kinds.is_there, PROGRAM), here.programs.ours))
 
 
 def is_news(name: int) -> bool:
@@ -242,7 +244,7 @@ def _made_program() -> int:
     losses()
     if len(here.stock) < 2:
         between = [gl.glCreateShader(GL_FRAGMENT_SHADER) for _ in range(_SHADERS)]
-        here.stock += PROGRAM.generate(_STOCK)
+        here.stock += kinds.generate(PROGRAM, _STOCK)
         for shader in between:
             gl.glDeleteShader(shader)
     return here.stock.pop()
@@ -253,7 +255,7 @@ def losses() -> int:
     here = space()
     if here is None:
         return 0
-    if here.stock and not PROGRAM.is_there(here.stock[0]):
+    if here.stock and not kinds.is_there(PROGRAM, here.stock[0]):
         here.stock.clear()
         here.losses += 1
     return here.losses
@@ -265,14 +267,14 @@ def space() -> Space | None:
     for each in _spaces:
         if handle in each.contexts:
             # Inside a primitive nothing can be asked: it is the context that it was before.
-            if BUFFER.is_there(each.flag) or not integer(GL_MAX_TEXTURE_SIZE):
+            if kinds.is_there(BUFFER, each.flag) or not integer(GL_MAX_TEXTURE_SIZE):
                 return each
             each.contexts.discard(handle)  # another context has the address of that one
             if not each.contexts:
                 _spaces.remove(each)
             break
     for each in _spaces:
-        if BUFFER.is_there(each.flag):
+        if kinds.is_there(BUFFER, each.flag):
             each.contexts.add(handle)
             return each
     return None
@@ -287,7 +289,7 @@ def _space(kind: Kind) -> Space:
         _look(found, BUFFER)
         _spaces.append(found)
         found.flag = next(_far if BUFFER in found.last else _off)
-        BUFFER.create(found.flag)
+        kinds.create(BUFFER, found.flag)
     if kind not in found.tried:
         _look(found, kind)
     return found
@@ -298,8 +300,8 @@ def _look(space: Space, kind: Kind) -> None:
     that is free; if it counts upwards, they are given by us from now on."""
     names = []
     for _ in range(2):
-        names += kind.generate(1)
-        kind.delete(names[-1:])
+        names += kinds.generate(kind, 1)
+        kinds.delete(kind, names[-1:])
     space.tried.add(kind)
     if names[1] == names[0] + 1:
         space._reach(kind, names[0] - 1)
@@ -311,8 +313,8 @@ def _look(space: Space, kind: Kind) -> None:
 
 def _reserved(kind: Kind) -> int:
     """A name of the driver's choice, beyond many that the program may be given."""
-    *others, name = kind.generate(_STEP)
-    kind.delete(others)
+    *others, name = kinds.generate(kind, _STEP)
+    kinds.delete(kind, others)
     return name
 
 
