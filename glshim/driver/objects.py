@@ -251,11 +251,16 @@ def _made_program() -> int:
 
 
 def losses() -> int:
-    """How often programs of ours have been deleted by the current context's program."""
+    """How often programs of ours have been deleted by the current context's program. Outside
+    primitives and lists."""
     here = space()
     if here is None:
         return 0
     if here.stock and not kinds.is_there(PROGRAM, here.stock[0]):
+        # Deleted and forgotten before new ones have such names.
+        made_here = [_made_in.get(handle, {}).pop(PROGRAM, set()) for handle in here.contexts]
+        lost = {*here.left.pop(PROGRAM, ()), *here.stock}.union(*made_here)
+        kinds.delete(PROGRAM, filter(partial(kinds.is_there, PROGRAM), lost))
         here.stock.clear()
         here.losses += 1
     return here.losses
