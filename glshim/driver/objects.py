@@ -117,7 +117,8 @@ class Programs:
             return own
         found = self._drivers.get(own)
         if found is None:
-            found = own if self._is_foreign(own) else _NOBODY
+            known = own in self.ours or own in self._own
+            found = _NOBODY if known and kinds.is_there(PROGRAM, own) else own
         return found
 
     def own(self, name: int) -> int:

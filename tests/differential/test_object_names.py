@@ -119,3 +119,28 @@ def test_a_program_that_deletes_ours_gets_its_style_all_the_same() -> None:
     assert done.returncode == 0, done.stderr
     assert done.stderr.count("has deleted objects of glshim's: they are made anew") == 1
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.programs
+@pytest.mark.parametrize("flag", ["FULL_LOGGING", "ERROR_LOGGING"])
+def test_shaders_are_named_where_calls_are_logged(flag: str, display: str) -> None:
+    """PyOpenGL's own shader source is a function apart, behind what logs it."""
+    program = f"""
+import OpenGL
+OpenGL.{flag} = True
+from tests.differential.test_object_names import *
+
+with styled("raskar"), window() as handle:
+    prepare()
+    cube()
+    glfw.swap_buffers(handle)
+    shader = GL.glCreateShader(GL.GL_FRAGMENT_SHADER)
+    GL.glShaderSource(shader, "void main() {{ gl_FragColor = vec4(1.0); }}")
+    GL.glCompileShader(shader)
+    assert GL.glGetShaderiv(shader, GL.GL_COMPILE_STATUS)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, timeout=300,
+        env={**os.environ, "DISPLAY": display}, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr

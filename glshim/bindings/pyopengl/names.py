@@ -46,10 +46,12 @@ class Names:
 
 
 def _hook_plain(name: str, module: ModuleType) -> None:
-    """Hook a call that PyOpenGL has as a function of ctypes', in a wrapper."""
+    """Hook a call that PyOpenGL has as a function of ctypes', in a wrapper, and in what logs calls
+    where a flag asks for it (`OpenGL.logs`: what is called lies under an empty name)."""
     function: Any = getattr(module, name, None)
     while function is not None and not hasattr(type(function), "_flags_"):
-        function = getattr(function, "wrappedOperation", None)
+        logged = vars(function).get("") if hasattr(function, "__dict__") else None
+        function = logged or getattr(function, "wrappedOperation", None)
     maker = programs.maker_of(name)
     if function is not None and maker is not None:
         hook_function_below(function, maker)
