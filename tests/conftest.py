@@ -66,6 +66,7 @@ def pytest_xdist_auto_num_workers() -> int:
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Every test gets the marker of its tier, so that `-m` chooses by it; long files go first."""
+    items[:] = [item for item in items if sweep.has_its_turn(item.nodeid)]
     for item in items:
         if not any(item.get_closest_marker(tier) for tier in TIERS):
             item.add_marker(TIER_OF[_place(item).parts[0]])

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import os
 import time
+import zlib
 from collections.abc import Sequence
 from typing import TypeVar
 
@@ -16,6 +17,13 @@ T = TypeVar("T")
 FULL = os.environ.get("TESTS_SWEEP") == "1"
 SEED = int(os.environ.setdefault("TESTS_SEED", str(int(time.time()) // 86400)))
 """Set once: worker processes take it over."""
+SHARE = int(os.environ.get("TESTS_SHARE", "1"))
+"""One in so many tests runs, in turn by the seed: where the same tests run more than once."""
+
+
+def has_its_turn(name: str) -> bool:
+    """Whether a test of that name is in this run's share."""
+    return (zlib.crc32(name.encode()) + SEED) % SHARE == 0
 
 
 def some(cases: Sequence[T], count: int, turn: int = 0) -> tuple[T, ...]:

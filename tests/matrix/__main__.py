@@ -7,6 +7,7 @@ in the table and does not count as a failure.
     python -m tests.matrix                    every combination
     python -m tests.matrix --only 3.12        those whose name has it
     python -m tests.matrix --ends             the oldest and the newest that can be had here
+    python -m tests.matrix --share 6          one test in six, in turn day by day
     python -m tests.matrix -- tests/unit -x   other arguments for pytest
 """
 
@@ -104,9 +105,10 @@ def versions(python: Path) -> str:
     return subprocess.run([python, "-c", look], capture_output=True, text=True, check=True).stdout
 
 
-def passes(python: Path, arguments: list[str]) -> tuple[bool, str]:
+def passes(python: Path, arguments: list[str], share: int) -> tuple[bool, str]:
     """Run pytest there: whether all passed, and its last line."""
     kept = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    kept["TESTS_SHARE"] = str(share)
     kept["LD_LIBRARY_PATH"] = str(python.parents[1] / "libraries")
     done = subprocess.run([python, "-m", "pytest", "-q", "-n", "auto", "--dist", "loadfile",
                            "-p", "no:cacheprovider", *arguments],
@@ -123,11 +125,13 @@ def main() -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", metavar="TEXT", help="combinations by name")
     parser.add_argument("--ends", action="store_true", help="the oldest and the newest alone")
+    parser.add_argument("--share", type=int, default=1, metavar="N", help="one test in N")
     parser.add_argument("arguments", nargs="*", help="of pytest; by default " + " ".join(TESTS))
     choice = parser.parse_args()
     pythons = interpreters()
     newest = max(pythons, key=lambda version: [int(part) for part in version.split(".")])
-    rows = (OLDEST, replace(NEWEST, python=newest)) if choice.ends else COMBINATIONS
+    oldest = OLDEST if OLDEST.python in pythons else replace(OLDEST, python=newest, numpy="")
+    rows = (oldest, replace(NEWEST, python=newest)) if choice.ends else COMBINATIONS
     failed = 0
     for combination in rows:
         if choice.only not in combination.name:
@@ -142,7 +146,7 @@ def main() -> int:
             print(f"{combination.name}: cannot be had here: {reason}", flush=True)
             continue
         holds = versions(python).split()
-        good, summary = passes(python, choice.arguments or list(TESTS))
+        good, summary = passes(python, choice.arguments or list(TESTS), choice.share)
         failed += not good
         row = "{}: Python {}, PyOpenGL {}, accelerate {}, numpy {}, moderngl {}: {} ({:.0f} s)"
         print(row.format("passed" if good else "FAILED", *holds, summary,
