@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from typing import Any
 
 import pytest
@@ -41,8 +42,9 @@ def test_a_frame_of_opengl_es_is_read_as_one_of_opengl(monkeypatch: pytest.Monke
     monkeypatch.setattr(grab, "gl", Recorder())
     monkeypatch.setattr(grab, "integer", lambda name: 0)
     monkeypatch.setattr(grab, "real", lambda name: 0.5)
-    with grab._plain_reading(7):
-        pass
+    with ExitStack() as undo:
+        grab._pack_plainly(undo)
+        grab._read_framebuffer(7, 0, (4, 3), None, undo)
     for target in (GL_READ_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER):
         assert ("glBindFramebuffer", target, 7) in called
     assert ("glPixelTransferf", GL_RED_SCALE, 1.0) in called

@@ -11,6 +11,12 @@ import numpy as np
 from glshim.system.interrupts import is_ours
 
 
+def are_ints(args: tuple[Any, ...]) -> bool:
+    """Whether nothing of the program's runs while they are read: signal handlers may wait then. Of
+    other kinds a handler may strike in the midst of reading, and raise there."""
+    return all(type(value) is int for value in args)
+
+
 def number(args: tuple[Any, ...], position: int) -> int:
     """A GLuint or GLsizei among arguments, 0 for none."""
     try:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import Watcher
+from glshim.bindings.pyopengl.memory import are_ints
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.driver import queries
@@ -97,6 +98,8 @@ class Watch:
             inside = _RECORD.inside
 
             def bracket(*args: Any, **named: Any) -> Any:
+                if not are_ints(args):
+                    return hook(*args, **named)
                 with Held():
                     return hook(*args, **named)
 
@@ -167,6 +170,8 @@ class Watch:
     def _bracket(self, name: str, role: Role) -> Maker:
         def maker(real: Call) -> Call:
             def hook(*args: Any, **named: Any) -> Any:
+                if not are_ints(args):
+                    return bracket(*args, **named)
                 with Held():  # what is known of a list is what is in it
                     return bracket(*args, **named)
 

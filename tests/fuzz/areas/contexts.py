@@ -61,7 +61,7 @@ _WAITING = (
     "bare.glLineWidth(-1.0)",
     "bare.glEnd()",
     "bare.glPopMatrix()",
-    "bare.glBindFramebuffer(0x8D40, 777)",
+    "bare.glBindFramebuffer(0x8D41, 777)",
     "[bare.glPushMatrix() for _ in range(40)]",
     "bare.glColor3ub({0..255}, 9, 9)",
     "bare.glFrontFace(0x900)",
