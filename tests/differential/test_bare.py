@@ -59,3 +59,18 @@ def test_a_library_keeps_nothing_of_ours() -> None:
     run(lambda app: GL.glRectf(0, 0, 1, 1), "none")
     assert not {name for name in set(vars(PLATFORM.GL)) - before if name.startswith("gl")}
     assert ctypes.CDLL.__getitem__.__module__ == "ctypes"
+
+
+def test_nothing_is_asked_inside_a_primitive_that_goes_straight_through() -> None:
+    """A question there is an error that glEnd would tell."""
+
+    def scene(app: App) -> None:
+        ctypes.CDLL(PLATFORM.GL._name).glColor3ub(1, 2, 3)
+        for name in ("list", 2.5):
+            GL.glBegin(GL.GL_TRIANGLES)
+            GL.glVertex3f(0, 0, 0)
+            with pytest.raises(ctypes.ArgumentError):
+                GL.glNewList(name, GL.GL_COMPILE)
+            GL.glEnd()
+
+    assert run(scene).differences(run(scene, "none"), pictures=True) == {}

@@ -149,7 +149,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 raise
             # What is raised now finds the primitive open.
             if straight:
-                record.shadow = careful or record.sink is not None
+                record.shadow = True
                 if plain:
                     return real(*args, **named)
             driver_begin(mode)
