@@ -129,6 +129,7 @@ ODD = """
     "element": lambda: enclosed(lambda: GL.glArrayElement(ctypes.c_int(1))),
     "bad mesh": lambda: GL.glEvalMesh2(5, 0, 3, 0, 3),
     "bad mesh in a list": lambda: listed(lambda: GL.glEvalMesh2(5, 0, 3, 0, 3)),
+    "mesh of an array": lambda: GL.glEvalMesh1(GL.GL_LINE, 0, np.array(2)),
     "bad matrices in a list": lambda: listed(
         lambda: GL.glOrtho(0, 0, 0, 0, 0, 0), lambda: GL.glFrustum(-1, 1, -1, 1, -1, 1),
         lambda: enclosed(*[lambda: GL.glVertex3f(0, 0, 1)] * 3)),

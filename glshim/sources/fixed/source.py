@@ -35,6 +35,7 @@ from glshim.spec.constants import (
 )
 from glshim.spec.roles import LIST_CALLS, Role
 from glshim.spec.shapes import Shape
+from glshim.system.interrupts import is_ours
 
 _VERTEX = BY_NAME["glVertex3f"]
 
@@ -132,16 +133,18 @@ class FixedFunction:
                 if whole is not None:
                     self.lists.add(whole)
             return arrays
-        if role is Role.EVALUATOR_MESH:
-            draw = _again(call, args)
-            if not self.lists.is_open:
-                return Shape(evaluator_key(name, args), draw)
-            # Its map may be set by the list itself: asked when the list is called.
-            self.lists.add(Shape(None, draw))
-            return None
         try:
+            if role is Role.EVALUATOR_MESH:
+                draw = _again(call, args)
+                if not self.lists.is_open:
+                    return Shape(evaluator_key(name, args), draw)
+                # Its map may be set by the list itself: asked when the list is called.
+                self.lists.add(Shape(None, draw))
+                return None
             record = rectangle(name, args)
         except (TypeError, OverflowError) as reason:
+            if not is_ours(reason):
+                raise
             say_once(f"unstyled: {name}, because {reason}")
             return None
         self.lists.add(Primitive(GL_QUADS, record))
