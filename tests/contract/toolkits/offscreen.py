@@ -9,6 +9,7 @@ from typing import Any
 from OpenGL.platform import baseplatform
 
 from glshim.bindings.pyopengl.pictures import stand_around
+from glshim.bindings.pyopengl.raw import RAW
 from glshim.toolkits import frames
 from glshim.toolkits.offscreen import Offscreen
 
@@ -20,10 +21,12 @@ class OffscreenRig(Rig):
 
     def __init__(self) -> None:
         super().__init__(Offscreen())
-        stand_around(None)  # PyOpenGL is followed anew: the stand-in is there by then
+        stand_around(None)
         cls = type(
             "glFinish", (baseplatform._NullFunctionPointer,),
             {"__call__": staticmethod(self.shown), "__init__": lambda this: None})  # fmt: skip
+        if RAW._undo:  # PyOpenGL is followed already, for what is below hooks: it has loaded this
+            RAW._adopt(cls)
         self.modules = {"OpenGL.error": SimpleNamespace(glFinish=cls())}
         frames.buffering(False)
 
