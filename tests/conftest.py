@@ -1,4 +1,4 @@
-"""Tiers, and the virtual screens that tests draw on; see docs/testing.md.
+"""Tiers, and the virtual screens that tests draw on; see docs/internals/testing.md.
 
 The tier of a test is that of its folder, unless the test or its module has the marker of another.
 """

@@ -1,5 +1,5 @@
 """``python -m tests.gallery OUT [NUMBER ...]``: the pictures of the bundled demos, as README and
-docs/gallery.md show them.
+docs/guide/gallery.md show them.
 
 Writes for each numbered program the page and the contact sheet that ``glshim gallery`` makes,
 ``sheets/NAME.png`` (the sheet with 256 colours and half as large, for the repository), and

@@ -36,7 +36,7 @@ def _is_a_styler(styler: Styler) -> None:
     make = type(styler)
     wrong = shortcoming(make)
     if wrong:
-        raise Fault(wrong, "see docs/writing_a_styler.md")
+        raise Fault(wrong, "see docs/guide/writing_a_styler.md")
     try:
         styler.glshim_check = 1  # type: ignore[attr-defined]
     except dataclasses.FrozenInstanceError:

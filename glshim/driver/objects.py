@@ -3,7 +3,7 @@
 A program shares the names of objects with us, in all contexts that share. What it is given by
 glGen* and glCreate*, what glIs* says, and objects that it names by itself are as they are without
 us: ours have names of our own choice, far from any that it is given or thinks of. How drivers give
-names is in `docs/decisions/0010-names-of-objects.md`.
+names is in `docs/internals/decisions/0010-names-of-objects.md`.
 """
 
 from __future__ import annotations

@@ -48,7 +48,7 @@ MODULES = {
     "stylers": "glshim_stylers",
 }
 """Modules of 0.1, or packages, that stylers may have imported, and where what they held is now."""
-PAGE = "docs/writing_a_styler.md"
+PAGE = "docs/guide/writing_a_styler.md"
 _FROM = re.compile(r"from\s+([\w.]+)\s+import\s+\(?([\w, ]*)")
 _MODULE = re.compile(r"(?:glshim_stylers|glshim|stylers)(?:\.\w+)+")
 _NAME = re.compile(r"cannot import name '(\w+)'")

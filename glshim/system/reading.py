@@ -1,5 +1,5 @@
 """The files that glshim reads: small regular ones. Nothing here waits, or opens a device; see
-``docs/security.md``.
+``docs/reference/security.md``.
 """
 
 from __future__ import annotations

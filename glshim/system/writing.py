@@ -1,7 +1,7 @@
 """The files that glshim writes: beside the target, then in its place.
 
 Nothing here follows a link out of its folder, or overwrites what is not a picture of before; see
-``docs/security.md``.
+``docs/reference/security.md``.
 """
 
 from __future__ import annotations

@@ -60,5 +60,5 @@ def test_the_reader_of_pages_sees_files_folders_and_examples() -> None:
     text = "`a/b.py: f` and `glshim/c`, `a/` or `1/2`; `x=d.toml,e.glsl` a/f.py `and/or not`"
     assert [*named(text)] == ["a/b.py", "glshim/c", "a/", "1/2", "d.toml", "e.glsl", "and/or"]
     assert is_there("spec/roles.py", ROOT / "README.md")
-    assert is_there("decisions/0004-lines.md", ROOT / "docs" / "live.md")
+    assert is_there("../reference/security.md", ROOT / "docs" / "guide" / "live.md")
     assert not is_there("render/pen.py", ROOT / "README.md")

@@ -1,7 +1,7 @@
 """`python -m tests.decision`: folds of 1 to 359 degrees seen from 50 directions at three distances,
 as a table of how many are drawn that should not be, the other way round, and in part.
 
-    python -m tests.decision [--write docs/decision.md]
+    python -m tests.decision [--write docs/measurements/decision.md]
     python -m tests.decision --quick
     python -m tests.decision --ridge 90 150 179 200 --valley 181 200 300
 

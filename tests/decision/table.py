@@ -121,7 +121,7 @@ def markdown(rows: Sequence[Row], *, header: bool = False) -> str:
 
 
 def document(rows: Sequence[Row], arguments: str) -> str:
-    """docs/decision.md."""
+    """docs/measurements/decision.md."""
     faults = sum(getattr(r, name) for r in rows for name in COUNTS)
     pictures = sum(r.pictures for r in rows)
     return f"""\

@@ -1,5 +1,5 @@
 """`python -m tests.flaws OUT [--write]`: each flaw of the paper's method, before and after, side by
-side; with --write into docs/pictures/flaws and docs/flaws.md."""
+side; with --write into docs/pictures/flaws and docs/measurements/flaws.md."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def save(sheet: Image.Image, path: Path) -> None:
 
 
 def document(scenes: list[Scene]) -> str:
-    """docs/flaws.md."""
+    """docs/measurements/flaws.md."""
     parts = [
         "# Flaws of the paper's method, before and after",
         "Left, Raskar 2001 sections 2.1 and 2.2 to the letter (`tests/flaws/paper.py`); right, "
@@ -58,7 +58,7 @@ def document(scenes: list[Scene]) -> str:
         parts += [
             f"## {scene.title[0].upper()}{scene.title[1:]}",
             scene.sentence,
-            f"![before and after](pictures/flaws/{scene.name}.png)",
+            f"![before and after](../pictures/flaws/{scene.name}.png)",
         ]
     return "\n\n".join(parts) + "\n"
 
@@ -83,7 +83,8 @@ def main() -> None:
             print(f"{scene.name:10} before {scene.faults(flawed):8.1f}  "
                   f"after {scene.faults(cured):8.1f}  {bytes_:,} bytes")  # fmt: skip
     if options.write:
-        (ROOT / "docs" / "flaws.md").write_text(document(scenes[: len(SCENES)]), "utf-8")
+        page = ROOT / "docs" / "measurements" / "flaws.md"
+        page.write_text(document(scenes[: len(SCENES)]), "utf-8")
 
 
 if __name__ == "__main__":

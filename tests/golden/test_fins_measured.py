@@ -1,4 +1,4 @@
-"""Short parts of what `docs/fins.md` measures: the score, the flicker, and the sieve's picture."""
+"""Short parts of `docs/measurements/fins.md`: the score, the flicker, and the sieve's picture."""
 
 from __future__ import annotations
 

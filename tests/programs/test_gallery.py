@@ -128,7 +128,7 @@ def test_a_command_that_makes_no_sense_ends_before_any_run(
 
 
 def test_a_class_in_a_file_beside_the_program_has_its_tile(tmp_path: Path) -> None:
-    page = (ROOT / "docs" / "writing_a_styler.md").read_text()
+    page = (ROOT / "docs" / "guide" / "writing_a_styler.md").read_text()
     script(tmp_path, "my.py", page.split("```python\n")[1].split("```")[0])
     done = glshim(tmp_path, "gallery", script(tmp_path, "app.py", SPINNER.replace("LOOP", "")),
                   "--styles", "none,my.py:Glow", "--frame", "1", "-o", "o.html")

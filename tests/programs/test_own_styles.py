@@ -16,7 +16,7 @@ from PIL import Image
 
 from .harness import ROOT
 
-PAGE = ROOT / "docs" / "writing_a_styler.md"
+PAGE = ROOT / "docs" / "guide" / "writing_a_styler.md"
 APP = """
 import time
 import glfw

@@ -13,7 +13,7 @@ from glshim.checks import values, window
 from glshim.checks.finding import Finding, finding
 from glshim.errors import StyleError
 
-PAGE = Path(__file__).parents[2] / "docs" / "writing_a_styler.md"
+PAGE = Path(__file__).parents[2] / "docs" / "guide" / "writing_a_styler.md"
 
 
 def styler_of_the_page() -> str:

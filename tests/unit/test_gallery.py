@@ -13,7 +13,7 @@ from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.runs import styled
 from glshim.running.gallery.tiles import Tile, file_names, tile
 
-PAGE = Path(__file__).parents[2] / "docs" / "writing_a_styler.md"
+PAGE = Path(__file__).parents[2] / "docs" / "guide" / "writing_a_styler.md"
 
 
 def test_every_style_is_there_once_and_the_plain_one_first() -> None:

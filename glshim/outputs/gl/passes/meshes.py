@@ -1,7 +1,7 @@
 """Recovered meshes in the driver's memory: textures that shaders look elements up in.
 
 Layout: a texel of 16 bytes a vertex and one of 8 (normal, 16 bits), one of 16 bytes an edge and one
-of 16 bytes a triangle. `docs/edge_mesh.md` compares that with the paper's.
+of 16 bytes a triangle. `docs/measurements/edge_mesh.md` compares that with the paper's.
 """
 
 from __future__ import annotations
