@@ -3,11 +3,33 @@
 from __future__ import annotations
 
 import argparse
+import os
 from abc import ABC, abstractmethod
 from typing import Any, ClassVar
 
+from glshim.errors import StyleError
+from glshim.running.environment import STYLE
+from glshim.running.subjects import style_variable
+
 DEFAULT_STYLE = "raskar"
 """The style that is drawn in unless another is asked for."""
+STYLE_DEFAULT = f"default: {STYLE}, or {DEFAULT_STYLE}"
+"""The default of ``--style``, for help texts."""
+
+
+def style_asked(given: str | None) -> tuple[str, str]:
+    """The style of ``--style``, else of `STYLE`, else the default: its text, and the same as the
+    variable takes it from any folder. Raises `StyleError`, naming the variable if it is that
+    one's."""
+    if given is not None:
+        return given, style_variable(given)
+    text = os.environ.get(STYLE, "")
+    if not text.strip():
+        return DEFAULT_STYLE, style_variable(DEFAULT_STYLE)
+    try:
+        return text.strip(), style_variable(text)
+    except StyleError as error:
+        raise StyleError(f"{STYLE}: {error}") from error
 
 
 class Command(ABC):

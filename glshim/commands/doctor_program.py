@@ -9,9 +9,9 @@ from contextlib import nullcontext
 from dataclasses import asdict
 
 from glshim import toolkits
-from glshim.commands.command import DEFAULT_STYLE
+from glshim.commands.command import STYLE_DEFAULT, style_asked
 from glshim.errors import EnvironmentFault
-from glshim.running import environment, subjects
+from glshim.running import environment
 from glshim.running.examine import Examined
 from glshim.running.examine import examine as run
 from glshim.running.headless import virtual_screen
@@ -24,7 +24,7 @@ _MOST_NAMES = 4
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments that name a program, and how it is run."""
     parser.add_argument(
-        "--style", metavar="STYLE", help=f"the style to run it in (default: {DEFAULT_STYLE})"
+        "--style", metavar="STYLE", help=f"the style to run it in ({STYLE_DEFAULT})"
     )
     parser.add_argument(
         "--frames", default=str(_FRAMES), metavar="N", help="end it after N (default: %(default)s)"
@@ -54,8 +54,7 @@ def examine(asked: argparse.Namespace) -> int:
     frames = environment.parse_frames(asked.frames)
     if not asked.timeout > 0:
         raise EnvironmentFault("--timeout is greater than zero")
-    named = asked.style or os.environ.get(environment.STYLE) or DEFAULT_STYLE
-    style = subjects.style_variable(named)
+    style = style_asked(asked.style)[1]
     with virtual_screen() if asked.headless else nullcontext(dict(os.environ)) as environ:
         found = run(
             command, style, frames=frames, seconds=asked.timeout, environ=environ,

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Sequence
 from typing import ClassVar
 
-from glshim.commands.command import DEFAULT_STYLE, Command
+from glshim.commands.command import STYLE_DEFAULT, Command, style_asked
 from glshim.control import keys
 from glshim.running import environment, launch
-from glshim.styling import texts
 
 
 class Run(Command):
@@ -36,8 +34,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of a program that runs restyled."""
     parser.add_argument(
         "--style",
-        default=DEFAULT_STYLE,
-        help="NAME, NAME:key=value,key=value or FILE.toml (default: %(default)s)",
+        help=f"NAME, NAME:key=value,key=value or FILE.toml ({STYLE_DEFAULT})",
     )
     parser.add_argument(
         "--keys", metavar="KEYS", help="keys while it runs: on, off or ACTION=KEY,ACTION=KEY"
@@ -58,8 +55,7 @@ def run_program(program: Sequence[str], asked: argparse.Namespace) -> int:
 
 def variables_of(asked: argparse.Namespace) -> dict[str, str]:
     """The options as the variables that the program's start reads, checked here and now."""
-    texts.parse_style(asked.style)
-    variables = {environment.STYLE: texts.anchored(asked.style, os.getcwd())}
+    variables = {environment.STYLE: style_asked(asked.style)[1]}
     if asked.keys is not None:
         keys.parse_keys(asked.keys)
         variables[keys.KEYS] = asked.keys

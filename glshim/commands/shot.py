@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import ClassVar
 
-from glshim.commands.command import DEFAULT_STYLE, Command
+from glshim.commands.command import STYLE_DEFAULT, Command, style_asked
 from glshim.errors import EnvironmentFault
 from glshim.notices import say
 from glshim.running import subjects
@@ -35,7 +35,7 @@ class Shot(Command):
             "-o", "--output", default="shot.png", metavar="OUT.png", help="(default: %(default)s)"
         )
         parser.add_argument(
-            "--style", default=DEFAULT_STYLE, help="as for glshim run (default: %(default)s)"
+            "--style", help=f"as for glshim run ({STYLE_DEFAULT})"
         )
         size = parser.add_mutually_exclusive_group()
         size.add_argument("--size", metavar="WxH", help="pixels of the picture, e.g. 6000x4500")
@@ -63,10 +63,11 @@ class Shot(Command):
             plan = replace(plan, size=parse_size(asked.size))
         else:
             plan = replace(plan, scale=parse_scale(asked.scale or "4"))
-        variables = {STYLE: subjects.style_variable(asked.style), VARIABLE: plan.as_text()}
+        name, style = style_asked(asked.style)
+        variables = {STYLE: style, VARIABLE: plan.as_text()}
         try:
             picture.parent.mkdir(parents=True, exist_ok=True)
-            shot = Run(asked.style, variables, picture)
+            shot = Run(name, variables, picture)
             (ended,) = run_all(subject.command, [shot], asked.timeout)
         except KeyboardInterrupt:
             say("stopped, no picture is written")

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from glshim.commands import cli
+from glshim.errors import StyleError
 from glshim.running import launch
 
 LOOK = """
@@ -87,6 +88,41 @@ def test_the_flags_come_to_the_program_as_variables(tmp_path: Path) -> None:
     )
     done = glshim("run", "--frames", "3", "--capture", "f%02d.png", "app.py", cwd=tmp_path)
     assert done.stdout.split() == ["raskar", "3", str(tmp_path / "f%02d.png")]
+
+
+@pytest.mark.parametrize(
+    ("given", "variable", "style"),
+    [
+        (["--style", "pencil"], "blueprint", "pencil"),
+        ([], " blueprint:width=3", "blueprint:width=3"),
+        ([], "", "raskar"),
+    ],
+)
+@pytest.mark.parametrize("command", [["run"], ["view"], ["shot"], ["doctor"]])
+def test_the_option_comes_before_the_variable_and_that_before_raskar(
+    command: list[str], given: list[str], variable: str, style: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    seen: list[str] = []
+
+    def stop(text: str) -> str:
+        seen.append(text.strip())
+        raise StyleError("seen")
+
+    monkeypatch.setenv("GLSHIM_STYLE", variable)
+    monkeypatch.setattr("glshim.commands.command.style_variable", stop)
+    assert cli.main([*command, *given, __file__]) == 2
+    assert seen == [style]
+
+
+@pytest.mark.parametrize("command", ["run", "view", "shot", "doctor"])
+def test_a_wrong_name_in_the_variable_is_refused_with_the_nearest(
+    command: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("GLSHIM_STYLE", "raskr")
+    assert cli.main([command, __file__]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith("glshim: GLSHIM_STYLE: no style is called 'raskr': did you mean raskar")
 
 
 @pytest.mark.parametrize("headless", [[], ["--headless"]])
