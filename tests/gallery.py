@@ -1,9 +1,12 @@
 """``python -m tests.gallery OUT [NUMBER ...]``: the pictures of the bundled demos, as README and
-docs/guide/gallery.md show them.
+docs/guide/demos.md show them.
 
 Writes for each numbered program the page and the contact sheet that ``glshim gallery`` makes,
-``sheets/NAME.png`` (the sheet with 256 colours and half as large, for the repository), and
+``sheets/NAME.png`` (the sheet with 256 colours, smaller, for the repository), and
 ``demos.png``: every program once, each in another style.
+
+``python -m tests.gallery docs/pictures --front`` writes README's own pictures, taken by ``glshim
+shot``: ``front.png``, a program plain and restyled, and ``front/STYLE.png``.
 """
 
 from __future__ import annotations
@@ -11,6 +14,7 @@ from __future__ import annotations
 import argparse
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from PIL import Image
@@ -26,6 +30,10 @@ SHOWN = {
     "10_textured_room": "sketch",
 }  # fmt: skip
 TILE, ACROSS = (320, 240), 5
+BESIDE = ("08_figure", ("none", "pen_and_ink"))
+"""The program of ``front.png``, and its styles from left to right."""
+FRONT = ("07_cad_part", ("blueprint", "sketch", "cartoon", "watercolour"))
+SCALE = 2
 
 
 def programs() -> list[Path]:
@@ -38,9 +46,8 @@ def picture(out: Path, program: str, style: str) -> Path:
     return out / f"{program}_files" / f"{style}.png"
 
 
-def small(path: Path, target: Path, share: float = 0.6) -> None:
-    """The same with 256 colours, that share as wide."""
-    whole = Image.open(path).convert("RGB")
+def save_small(whole: Image.Image, target: Path, share: float = 0.6) -> None:
+    """Write a picture with 256 colours, that share as wide."""
     size = round(whole.width * share), round(whole.height * share)
     reduced = whole.resize(size, Image.Resampling.LANCZOS).quantize(256, dither=Image.Dither.NONE)
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -58,12 +65,40 @@ def demos(out: Path) -> None:
     sheet.quantize(256, dither=Image.Dither.NONE).save(out / "demos.png", optimize=True)
 
 
+def taken(folder: Path, program: str, style: str) -> Image.Image:
+    """A shot of a program, drawn larger and reduced: lines without steps."""
+    path = folder / f"{program}-{style}.png"
+    subprocess.run(
+        [sys.executable, "-m", "glshim", "shot", f"demo_apps/{program}.py", "--style", style,
+         "--frame", str(FRAME), "--scale", str(SCALE), "-o", str(path)], cwd=ROOT, check=True)
+    return Image.open(path).convert("RGB")
+
+
+def front(out: Path) -> None:
+    """README's pictures."""
+    (out / "front").mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as name:
+        program, styles = BESIDE
+        pair = [taken(Path(name), program, style) for style in styles]
+        wide = Image.new("RGB", (sum(each.width for each in pair), pair[0].height))
+        for number, each in enumerate(pair):
+            wide.paste(each, (number * each.width, 0))
+        save_small(wide, out / "front.png", 0.7 / SCALE)
+        program, styles = FRONT
+        for style in styles:
+            save_small(taken(Path(name), program, style), out / f"front/{style}.png", 0.7 / SCALE)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tests.gallery", description="Writes PNGs.")
     parser.add_argument("out", type=Path, help="folder")
     parser.add_argument("numbers", nargs="*", metavar="NUMBER", help="only these programs, e.g. 01")
+    parser.add_argument("--front", action="store_true", help="README's own pictures, no others")
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)
+    if given.front:
+        front(given.out)
+        return 0
     for program in programs():
         if given.numbers and program.name[:2] not in given.numbers:
             continue
@@ -73,7 +108,8 @@ def main() -> int:
              "--frame", str(FRAME), "--columns", "4", "--styles", ",".join(STYLES)], cwd=ROOT)
         if status:
             return status
-        small(page.with_suffix(".png"), given.out / "sheets" / f"{program.stem}.png")
+        sheet = Image.open(page.with_suffix(".png")).convert("RGB")
+        save_small(sheet, given.out / "sheets" / f"{program.stem}.png")
     if not given.numbers:
         demos(given.out)
     return 0
