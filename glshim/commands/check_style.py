@@ -32,11 +32,23 @@ class CheckStyle(Command):
         with virtual_screen() if asked.headless else nullcontext(dict(os.environ)) as environ:
             plain = {key: value for key, value in environ.items() if not key.startswith("GLSHIM_")}
             # In a process of its own: a shader or a draw may take it down.
-            status = subprocess.run(
-                [*python, "-m", "glshim.checks", asked.style], env=plain, check=False
-            ).returncode
+            status = _printed([*python, "-m", "glshim.checks", asked.style], plain)
         if status < 0:
             print(f"WRONG the process was ended by signal {-status}")
             print("      a shader or a draw did that")
             return 1
         return status
+
+
+def _printed(command: list[str], environ: dict[str, str]) -> int:
+    """The exit status of a command whose output we print, so that it is we who hear it where nobody
+    reads on."""
+    with subprocess.Popen(command, env=environ, stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None
+        try:
+            for line in child.stdout:
+                print(line, end="", flush=True)
+        except BaseException:
+            child.kill()
+            raise
+    return child.returncode

@@ -46,7 +46,7 @@ class Command(ABC):
         """Add it to argparse's subparsers."""
         parser = commands.add_parser(self.name, help=self.help, usage=self.usage)
         self.add_arguments(parser)
-        parser.set_defaults(command=self)
+        parser.set_defaults(command=self, parser=parser)
 
     @abstractmethod
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:

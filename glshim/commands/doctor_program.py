@@ -9,6 +9,7 @@ from contextlib import nullcontext
 from dataclasses import asdict
 
 from glshim import toolkits
+from glshim.commands import misplaced
 from glshim.commands.command import STYLE_DEFAULT, style_asked
 from glshim.errors import EnvironmentFault
 from glshim.running import environment
@@ -51,6 +52,7 @@ def examine(asked: argparse.Namespace) -> int:
     """Print what was seen; the status is 1 where the program is not restyled. Raises
     `EnvironmentFault` and `StyleError`."""
     command = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]
+    misplaced.warn(asked, command)
     frames = environment.parse_frames(asked.frames)
     if not asked.timeout > 0:
         raise EnvironmentFault("--timeout is greater than zero")

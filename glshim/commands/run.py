@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Sequence
 from typing import ClassVar
 
+from glshim.commands import misplaced
 from glshim.commands.command import STYLE_DEFAULT, Command, style_asked
 from glshim.control import keys
 from glshim.running import environment, launch
@@ -27,6 +28,7 @@ class Run(Command):
 
     def run(self, asked: argparse.Namespace) -> int:
         program = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]
+        misplaced.warn(asked, program)
         return run_program(program, asked)
 
 

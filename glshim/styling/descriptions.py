@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from glshim.errors import StyleError
@@ -35,6 +36,16 @@ def of_look(name: str) -> str:
     styler = load_style(path)
     summary = read_text(path).partition("\n")[0].lstrip("# ")
     return f"{name}: {summary}\n  {styler.name}:{','.join(changed_options(styler))}"
+
+
+def summary(name: str) -> str:
+    """What is installed under a name, in a few words: without its source, which stands in
+    brackets; what is wrong with it where it cannot be loaded."""
+    try:
+        first = of_name(name).partition("\n")[0].removeprefix(name).lstrip(": ")
+    except StyleError as error:
+        return f"cannot be loaded: {error}"
+    return re.sub(r"\s*\([^()]*\)", "", first).rstrip(".")
 
 
 def of_name(name: str) -> str:

@@ -15,7 +15,7 @@ from glshim.commands import cli
 from glshim.errors import StyleError
 from glshim.running import launch
 
-LOOK = """
+LOOK = """# takes --frames and --style itself
 import __main__, json, os, sys
 print(json.dumps({
     "argv": sys.argv, "path": sys.path[0], "name": __name__, "file": __file__,
@@ -167,7 +167,7 @@ def test_python_that_reads_no_startup_file_is_refused(tmp_path: Path) -> None:
 
 
 def test_styles_lists_every_style_with_its_options() -> None:
-    done = glshim("styles")
+    done = glshim("styles", "--long")
     assert done.returncode == 0
     for word in ("none:", "raskar:", "ridge_angle", "0..360 degrees", "#rrggbb", "anime: "):
         assert word in done.stdout
