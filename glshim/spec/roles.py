@@ -58,6 +58,7 @@ class Role(Enum):
     QUERY_OPEN = "begins to count what is drawn"
     CONDITION_OPEN = "lets what is drawn depend on a query"
     CONDITION_CLOSE = "lets it depend on nothing"
+    RENDER_MODE = "lets the driver write what is drawn into the app's memory, or no more"
     OTHER_PROGRAM = "has to do with vertex programs that are not glUseProgram's"
 
     __hash__ = object.__hash__
@@ -168,6 +169,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.BUFFERS_WRITE, r"glCopy(Named)?BufferSubData"),  # the first argument is read from
     (Role.BUFFERS_WRITE, r"glInvalidateBuffer(Sub)?Data|gl(Begin|End)TransformFeedback(NV|EXT)?"),
     (Role.CLIP_PLANE, r"glClipPlane[fx]?(OES|IMG)?"),
+    (Role.RENDER_MODE, r"glRenderMode"),
     (Role.QUERY_OPEN, r"glBeginQuery(Indexed|ARB|EXT)?|glBeginOcclusionQueryNV"),
     (Role.CONDITION_OPEN, r"glBeginConditionalRender(NV)?"),
     (Role.CONDITION_CLOSE, r"glEndConditionalRender(NV)?"),

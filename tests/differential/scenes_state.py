@@ -8,6 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from OpenGL import GL, GLU
 
+from glshim.driver.functions import gl
+
 from .registry import each, scene
 from .scenes_immediate import MODES, shade, spiral
 from .world import App, restart_at
@@ -313,6 +315,36 @@ def feedback_buffer_of_the_app_stays(app: App) -> None:
     GL.glFeedbackBuffer(100, GL.GL_3D, buffer)
     GLU.gluSphere(GLU.gluNewQuadric(), 0.5, 6, 6)
     GL.glRectf(-1, -1, 0, 0)
+
+
+@scene
+def feedback_is_looked_at_inside_a_primitive(app: App) -> None:
+    buffer = app.keeps(np.zeros(400, np.float32))
+    gl.glFeedbackBuffer(400, GL.GL_3D_COLOR, buffer.ctypes.data)
+    GL.glRenderMode(GL.GL_FEEDBACK)
+    GL.glBegin(GL.GL_POINTS)
+    for attribute in (GL.glColor3d, GL.glNormal3d, GL.glTexCoord3d):  # drivers flush what they hold
+        GL.glVertex2i(0, 0)
+        attribute(0.0, 0.5, 1.0)
+        app.saw.append(buffer.tolist())
+    GL.glEnd()
+    gl.glRenderMode(GL.GL_RENDER)
+
+
+@each({str(left): left for left in range(5)})
+def little_room_for_glu_on_the_attribute_stack(app: App, left: int) -> None:
+    depth = int(GL.glGetIntegerv(GL.GL_MAX_ATTRIB_STACK_DEPTH))
+    for _ in range(depth - left):
+        GL.glPushAttrib(GL.GL_ALL_ATTRIB_BITS)
+    nurbs, knots = GLU.gluNewNurbsRenderer(), [0, 0, 0, 1, 1, 1]
+    points = np.random.default_rng(3).uniform(-1, 1, (3, 3, 3)).astype(np.float32)
+    for _ in range(2):
+        app.tries(GLU.gluBeginSurface, nurbs)
+        app.tries(GLU.gluNurbsSurface, nurbs, knots, knots, points, GL.GL_MAP2_VERTEX_3)
+        app.tries(GLU.gluEndSurface, nurbs)
+    for _ in range(10):
+        gl.glGetError()
+    app.saw.append(int(GL.glGetIntegerv(GL.GL_ATTRIB_STACK_DEPTH)))
 
 
 @scene

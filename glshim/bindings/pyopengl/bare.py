@@ -13,8 +13,8 @@ from typing import Any
 from glshim.bindings.pyopengl.record import Record
 from glshim.spec.roles import INSIDE, LIST_CALLS, Role, role_of
 
-_ORDERED = INSIDE | LIST_CALLS | {Role.BEGIN, Role.END, Role.ATTRIBUTE}
-"""What may be called inside a primitive."""
+_ORDERED = INSIDE | LIST_CALLS | {Role.BEGIN, Role.END, Role.ATTRIBUTE, Role.RENDER_MODE}
+"""What may be called inside a primitive, or makes the driver write memory there."""
 
 
 def watch(record: Record) -> Callable[[], None]:

@@ -8,7 +8,9 @@ from threading import get_ident
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
+from glshim.driver.ask import integer
 from glshim.spec.attributes import RECORD_BYTES
+from glshim.spec.constants import GL_RENDER, GL_RENDER_MODE
 from glshim.system.interrupts import at_once
 
 
@@ -20,8 +22,8 @@ class Record:
     """
 
     __slots__ = (
-        "aside", "held", "home", "list_open", "loose", "mode", "records", "sequences", "shadow",
-        "sink", "write",
+        "aside", "held", "home", "list_open", "loose", "mode", "modes", "records", "sequences",
+        "shadow", "sink", "write",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -35,6 +37,8 @@ class Record:
         self.shadow = False
         self.aside = False
         """Nothing is to be held back: `stand_aside`."""
+        self.modes = False
+        """Some context may be in another render mode than GL_RENDER: `render_mode_seen`."""
         self.loose = False
         """Inside a display list, outside any primitive of it; a shadow, too."""
         self.sequences: frozenset[type] | None = None
@@ -78,6 +82,15 @@ class Record:
         """From now on all goes straight through to the driver."""
         self.aside = True
         self.spill()
+
+    def render_mode_seen(self) -> None:
+        """From now on it is asked for before anything is held back: in feedback and selection the
+        driver writes into the program's memory while a primitive is open."""
+        self.modes = True
+
+    def is_read(self) -> bool:
+        """Whether the driver writes what is drawn into the program's memory. Outside primitives."""
+        return self.modes and integer(GL_RENDER_MODE) != GL_RENDER
 
     def extend(self, records: bytes) -> None:
         """Add records of vertices that reached the driver another way."""

@@ -139,7 +139,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 record.mode = mode
                 record.home = get_ident()
                 record.sequences = None
-                straight = careful or record.aside
+                straight = careful or record.aside or (record.modes and record.is_read())
                 if not straight:
                     record.held = write
             except BaseException:  # a signal handler's, before the primitive

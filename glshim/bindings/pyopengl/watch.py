@@ -68,7 +68,9 @@ class Watch:
     def _own(self, name: str) -> Maker | None:
         role = role_of(name)
         if role is Role.QUERY_OPEN:
-            return self._maker("own:" + name, lambda: _noting)
+            return self._maker("own:" + name, lambda: _noting(queries.begin_seen))
+        if role is Role.RENDER_MODE:
+            return self._maker("own:" + name, lambda: _noting(_RECORD.render_mode_seen))
         if role not in _SPILLING or (self._watcher is not None and role in WATCHED):
             return None
         return self._maker("own:" + name, lambda: self._spilling(name, role))
@@ -210,14 +212,17 @@ class Watch:
             RAW.unhook_matching(self._in_lists)
 
 
-def _noting(real: Call) -> Call:
-    """A query begins: those are asked about from now on."""
+def _noting(note: Callable[[], None]) -> Maker:
+    """What is asked about from its first call on."""
 
-    def hook(*args: Any, **named: Any) -> Any:
-        queries.begin_seen()
-        return real(*args, **named)
+    def maker(real: Call) -> Call:
+        def hook(*args: Any, **named: Any) -> Any:
+            note()
+            return real(*args, **named)
 
-    return hook
+        return hook
+
+    return maker
 
 
 WATCH = Watch()

@@ -78,6 +78,9 @@ _STACKS = (
     (GL_CLIENT_ATTRIB_STACK_DEPTH, GL_MAX_CLIENT_ATTRIB_STACK_DEPTH),
 )
 """Depths of the attribute stacks, and their limits."""
+_LEVELS = 4
+"""Our level of them, and those of C libraries above it (GLU and GLUT push one). Where theirs finds
+no room, they pop ours."""
 _SIDE = 1024
 _FIRST_RADIUS = 1.0e6
 _COARSE = 2.0**-21
@@ -107,7 +110,7 @@ def polygons(draw: Callable[[], Any], key: Hashable | None = None) -> PolygonBat
 
 def possible() -> bool:
     """Whether there is room on the attribute stacks. Ask before :func:`polygons`."""
-    return all(integer(depth) < integer(limit) for depth, limit in _STACKS)
+    return all(integer(depth) + _LEVELS <= integer(limit) for depth, limit in _STACKS)
 
 
 @contextmanager
