@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.spec.signatures import SIGNATURES
+from glshim.system.prototypes import function_type
 
 LETTERS: dict[str, Any] = {
     "i": ctypes.c_int,
@@ -51,7 +52,7 @@ def prototype(name: str) -> Any:
     if signature is None:
         raise AttributeError(f"glshim.spec.signatures has no row for {name!r}")
     arguments, _, result = signature.partition(">")
-    return ctypes.CFUNCTYPE(
+    return function_type(
         LETTERS[result] if result else None, *(LETTERS[letter] for letter in arguments)
     )
 

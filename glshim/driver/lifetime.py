@@ -15,6 +15,7 @@ from contextlib import suppress
 from typing import Any
 
 from glshim.driver.functions import address, current_context
+from glshim.system.prototypes import function_type
 
 Witness = Callable[[], bool]
 """False once a context is gone, for sure; its handle may be another one's then."""
@@ -66,7 +67,7 @@ class _Server:
             raise AttributeError("glXGetContextIDEXT")
         self.current = _function(glx.glXGetCurrentContext, pointer)
         """The handle of the current context."""
-        self.number = ctypes.CFUNCTYPE(ctypes.c_ulong, pointer)(number)
+        self.number = function_type(ctypes.c_ulong, pointer)(number)
         """Of a context that is there, by its handle."""
         self._display = _function(glx.glXGetCurrentDisplay, pointer)
         self._name = _function(libx11.XDisplayString, ctypes.c_char_p, pointer)
@@ -151,4 +152,5 @@ def _loaded(*names: str) -> ctypes.CDLL:
 def _function(place: Any, result: Any, *arguments: Any) -> Callable[..., Any]:
     pointer = ctypes.cast(place, ctypes.c_void_p).value
     assert pointer is not None
-    return ctypes.CFUNCTYPE(result, *arguments)(pointer)
+    function: Callable[..., Any] = function_type(result, *arguments)(pointer)
+    return function

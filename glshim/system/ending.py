@@ -11,6 +11,7 @@ from contextlib import suppress
 from typing import Any
 
 from glshim.notices import say_fault
+from glshim.system.prototypes import function_type
 
 _functions: list[tuple[int, Callable[[], None]]] = []
 """With the process that each is for: a fork is another one."""
@@ -42,7 +43,7 @@ class _Guard:
     def __init__(self) -> None:
         self._mark = ctypes.create_string_buffer(1)  # its address names the handler
         self._take_back: Any = None
-        self._handler = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(self._c_ends)
+        self._handler = function_type(None, ctypes.c_void_p)(self._c_ends)
         with suppress(AttributeError, OSError, TypeError):  # another C library has other names
             library = ctypes.CDLL(None)
             register, self._take_back = (

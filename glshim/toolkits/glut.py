@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from glshim.bindings.pyopengl.raw import hook_function, original_call
+from glshim.system.prototypes import function_type
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Part, Toolkit
 from glshim.toolkits.frames import Size
@@ -30,7 +31,7 @@ QUIET = 40
 """Rounds without a new picture after which a program stands still."""
 
 
-_TIMER = ctypes.CFUNCTYPE(None, ctypes.c_int)
+_TIMER = function_type(None, ctypes.c_int)
 
 
 class Glut(Toolkit):

@@ -10,6 +10,8 @@ import pytest
 from OpenGL.arrays import GLfloatArray
 
 from glshim.bindings.pyopengl import conversions
+from glshim.bindings.pyopengl.raw import hook_function, original_call
+from glshim.system.prototypes import function_type
 
 POINT = [1.0, 2.0, 3.0]
 _libc = ctypes.CDLL(None)
@@ -66,6 +68,43 @@ def test_refused_in_the_same_words(args: tuple[Any, ...]) -> None:
             call(*args)
         said.append(repr(refusal.value))
     assert said[0] == said[1]
+
+
+def of_its_own() -> Any:
+    """A type of functions that ctypes has made just now."""
+    ctypes._c_functype_cache.pop((None, (ctypes.c_int,), 1), None)  # type: ignore[attr-defined]
+    return ctypes.CFUNCTYPE(None, ctypes.c_int)
+
+
+def converted(function: Any) -> Any:
+    return conversions.numbers(function, "i")
+
+
+def hooked(function: Any) -> Any:
+    call = original_call(function)
+    hook_function(function, call)
+    return call
+
+
+@pytest.mark.parametrize("way", [converted, hooked])
+def test_arguments_are_converted_as_when_the_type_was_made(
+    way: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """PyOpenGL changes how (`ALLOW_NUMPY_SCALARS`); what others have had made before stays."""
+    place = ctypes.cast(_libc.srand, ctypes.c_void_p).value
+    old = of_its_own()(place)
+    whole = staticmethod(lambda value: ctypes.c_int(int(value)))
+    monkeypatch.setattr(ctypes.c_int, "from_param", whole)
+    new = of_its_own()(place)
+    with pytest.raises(ctypes.ArgumentError):
+        way(old)(3.5)
+    monkeypatch.undo()
+    way(new)(3.5)
+
+
+def test_types_of_ours_are_nobody_elses() -> None:
+    assert function_type(None, ctypes.c_int) is function_type(None, ctypes.c_int)
+    assert function_type(None, ctypes.c_int) is not ctypes.CFUNCTYPE(None, ctypes.c_int)
 
 
 def test_extra_arguments_are_taken() -> None:

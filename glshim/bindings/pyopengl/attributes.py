@@ -8,8 +8,7 @@ meanwhile is the program's, and comes before the vertex is recorded or after it.
 
 from __future__ import annotations
 
-import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any
 
@@ -204,16 +203,14 @@ class _Converted:
     ) -> None:
         self._state, self._real = state, real
         self._said = conversions.recorded(row)
+        self._driver = conversions.driver_of(function)
         if vector:
             self._convert = conversions.behind(function, row.type, row.size)
-            driver = conversions.driver_of(function, ctypes.c_void_p)
-            together = conversions.layout(row.type, row.size)
-            self._driver: Callable[..., Any] = lambda *values: driver(together.pack(*values))
+            pack = conversions.layout(row.type, row.size).pack
+            self._given: Callable[..., Iterable[Any]] = lambda values: (pack(*values),)
         else:
             self._convert = conversions.numbers(function, row.type * row.size)
-            self._driver = conversions.driver_of(
-                function, *[conversions.ELEMENTS[row.type]] * row.size
-            )
+            self._given = partial(map, conversions.ELEMENTS[row.type])
 
     def __call__(self, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
         values = self._convert(*args, **named)  # may run code of the program's
@@ -222,9 +219,9 @@ class _Converted:
             state.held(self._said(values))
         elif state.shadow:
             said = self._said(values)
-            at_once((partial(self._driver, *values), partial(state.write, said)))
+            at_once((partial(self._driver, *self._given(values)), partial(state.write, said)))
         else:
-            self._driver(*values)
+            self._driver(*self._given(values))
         return forward.check(self._real, args)
 
 

@@ -1,6 +1,6 @@
 """PyOpenGL's own conversion of a call's arguments, without the call.
 
-A twin of its ctypes function has the same types: it takes what that takes, and refuses the rest in
+A twin of its ctypes function is of the same type: it takes what that takes, and refuses the rest in
 the same words, whatever flags and handlers of arrays the program has set. Behind the twin stands a
 function of C's that hands back what it was given. No Python code of ours runs in between.
 """
@@ -17,6 +17,7 @@ from numpy import zeros
 from glshim.bindings.pyopengl.raw import Call
 from glshim.bindings.pyopengl.record import Record
 from glshim.spec.attributes import Attribute
+from glshim.system.prototypes import function_type
 
 ELEMENTS: dict[str, Any] = {
     "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
@@ -62,18 +63,16 @@ def function_of(real: Call) -> Any:
     return function if isinstance(function, ctypes._CFuncPtr) else None  # type: ignore[attr-defined]
 
 
-def driver_of(function: Any, *types: Any) -> Callable[..., Any]:
-    """What it calls, bare."""
-    place = ctypes.cast(function, ctypes.c_void_p).value
-    assert place is not None
-    return ctypes.PYFUNCTYPE(None, *types)(place)
+def driver_of(function: Any) -> Callable[..., Any]:
+    """What it calls, bare: it takes bytes and ctypes' numbers, as they are."""
+    return ctypes.PYFUNCTYPE(None)(_place(function))
 
 
 def numbers(function: Any, letters: str) -> Callable[..., tuple[Any, ...]]:
     """Takes the arguments of a call, positional and named, and gives the numbers that the driver
     would get. letters: their types, each one of `ELEMENTS`."""
     together = Struct("@" + "".join(_FORMATS[letter] for letter in letters))
-    given_back = ctypes.CFUNCTYPE(ctypes.py_object, *(ELEMENTS[letter] for letter in letters))
+    given_back = function_type(ctypes.py_object, *(ELEMENTS[letter] for letter in letters))
     twin = _twin(function, given_back(together.pack))
     return lambda *args, **named: together.unpack(twin(*args, **named))
 
@@ -82,23 +81,35 @@ def behind(function: Any, letter: str, size: int) -> Callable[[Any], tuple[Any, 
     """Takes the one argument of a call, and gives the numbers that the driver would find at its
     address: so many, of one type."""
     together = layout(letter, size)
-    length = ctypes.c_ssize_t(together.size)
+    length = _Length(together.size)
     # It takes an address and a length. C passes on what a function has no parameter for.
-    twin = _twin(function, ctypes.pythonapi.PyBytes_FromStringAndSize)
+    copied = function_type(ctypes.py_object, _Address, _Length)
+    twin = _twin(function, copied(_BYTES))
     return lambda pointer, **named: together.unpack(twin(pointer, length, **named))
 
 
+class _Address(ctypes.c_void_p):
+    """Comes to a callback as it is, and goes on so: a type of ctypes' own would be converted."""
+
+
+class _Length(ctypes.c_ssize_t):
+    """This, too."""
+
+
+def _place(function: Any) -> int:
+    place = ctypes.cast(function, ctypes.c_void_p).value
+    assert place is not None
+    return place
+
+
+_BYTES = ctypes.PYFUNCTYPE(ctypes.py_object)(_place(ctypes.pythonapi.PyBytes_FromStringAndSize))
+"""Bytes from an address and a length."""
+
+
 def _twin(function: Any, stand_in: Any) -> Callable[..., bytes]:
-    kind = type(
-        type(function).__name__,
-        (ctypes._CFuncPtr,),  # type: ignore[attr-defined]
-        {
-            "_flags_": function._flags_ | ctypes._FUNCFLAG_PYTHONAPI,  # type: ignore[attr-defined]
-            "_restype_": ctypes.py_object,
-            "_argtypes_": tuple(function.argtypes),
-        },
-    )
-    twin = kind(ctypes.cast(stand_in, ctypes.c_void_p).value)
+    # A type converts as ctypes did when it was made: one of ours may do otherwise.
+    twin = type(function)(_place(stand_in))
+    twin.restype = ctypes.py_object
     twin.stand_in = stand_in  # as long as it
     return twin  # type: ignore[no-any-return]
 

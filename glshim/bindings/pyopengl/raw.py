@@ -9,6 +9,7 @@ is swapped for a subclass that calls the hook.
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -283,9 +284,7 @@ def hook_function(function: Any, hook: Call | None) -> None:
 
 def hook_function_below(function: Any, maker: Maker) -> None:
     """Make a ctypes function object call the maker's hook below any `hook_function`, for good."""
-    cls: Any = type(function)
-    hook = maker(lambda *args: cls.__call__(function, *args))
-    _replace_call(function, hook)
+    _replace_call(function, maker(_called_as(type(function), function)))
 
 
 def _replace_call(function: Any, hook: Call, **more: Any) -> None:
@@ -294,12 +293,33 @@ def _replace_call(function: Any, hook: Call, **more: Any) -> None:
         # A library's own functions have no types on their class, but on themselves.
         **{name: getattr(cls, name) for name in _TYPES if hasattr(cls, name)},
         **more,
-        "__call__": lambda _self, *args, **_named: hook(*args),  # ctypes ignores keywords
+        "__call__": lambda _self, /, *args, **_named: hook(*args),  # ctypes ignores keywords
     }
     function.__class__ = type(cls.__name__, (cls,), body)
 
 
 def original_call(function: Any) -> Call:
     """A call of the ctypes function object that goes past its hook."""
-    cls = getattr(type(function), "_glshim_original", type(function))
-    return lambda *args: cls.__call__(function, *args)
+    return _called_as(getattr(type(function), "_glshim_original", type(function)), function)
+
+
+def _called_as(cls: Any, function: Any) -> Call:
+    """A call of the function as what it was before its class was replaced by one below this."""
+    if "__call__" in vars(cls):  # a hook below
+        return lambda *args: cls.__call__(function, *args)
+    parameters = getattr(cls, "_argtypes_", None)
+    # A class converts arguments as ctypes did when it was made: ours may do otherwise.
+    former = cls(ctypes.cast(function, ctypes.c_void_p).value)
+
+    def call(*args: Any) -> Any:
+        if function.argtypes is not parameters:  # it has its own
+            return cls.__call__(function, *args)
+        if former.restype is not function.restype:
+            former.restype = function.restype
+        check, result = function.errcheck, former(*args)
+        if check is None:
+            return result
+        checked = check(result, function, args)
+        return result if checked is args else checked
+
+    return call
