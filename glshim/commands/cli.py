@@ -12,10 +12,9 @@ import os
 import sys
 from collections.abc import Sequence
 
-from glshim import __version__
 from glshim.commands.check_style import CheckStyle
 from glshim.commands.command import Command
-from glshim.commands.doctor import Doctor
+from glshim.commands.doctor import Doctor, version_of
 from glshim.commands.gallery import Gallery
 from glshim.commands.run import Run
 from glshim.commands.shot import Shot
@@ -59,7 +58,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="glshim", description="Restyle unmodified PyOpenGL programs with ink lines."
     )
-    parser.add_argument("--version", action="version", version=f"glshim {__version__}")
+    version = version_of("glshim") or "(not installed)"
+    parser.add_argument("--version", action="version", version=f"glshim {version}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for command in COMMANDS:
         command.add_to(commands)

@@ -63,7 +63,7 @@ def print_report(*, headless: bool = False) -> int:
     """Print everything; the status is 1 when something of it will not work here."""
     troubles: list[str] = []
     _heading("glshim")
-    ours = _version_of("glshim") or "not installed"
+    ours = version_of("glshim") or "not installed"
     _row("version", f"{ours} on Python {platform.python_version()}, {platform.platform()}")
     found = launch.startup_file()
     _row("start-up file", found or "missing")
@@ -78,7 +78,7 @@ def print_report(*, headless: bool = False) -> int:
     _environment(troubles)
     _heading("packages and libraries")
     for name in _PACKAGES:
-        _row(name, _version_of(name) or "not installed")
+        _row(name, version_of(name) or "not installed")
     for name, package in _LIBRARIES.items():
         library = _library(name)
         _row(name, library or f"not found (Debian: {package})")
@@ -161,7 +161,7 @@ def _toolkits() -> None:
             missing.append(distribution)
             continue
         known = toolkit.name in (distribution, toolkit.package)
-        version = _version_of(distribution) or "here"
+        version = version_of(distribution) or "here"
         first, *others = toolkit.places(Part.FRAMES)
         _row(toolkit.name, f"{version if known else f'{distribution} {version}'}; "
              f"a frame ends at {first}")  # fmt: skip
@@ -194,7 +194,8 @@ def print_startup_cost() -> int:
     return 0
 
 
-def _version_of(distribution: str) -> str | None:
+def version_of(distribution: str) -> str | None:
+    """Of an installed one."""
     try:
         return version(distribution)
     except PackageNotFoundError:
