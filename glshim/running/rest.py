@@ -12,6 +12,7 @@ from contextlib import suppress
 
 from glshim import toolkits
 from glshim.notices import say
+from glshim.running import runners
 from glshim.toolkits import frames
 from glshim.toolkits.frames import ASKED_AGAIN, RESTS
 from glshim.toolkits.moment import real_clock, real_sleep
@@ -46,11 +47,11 @@ class _Watcher:
         self._seen, self._longest = 0, 0.0
         self._since = self._worked = real_clock()
         self._pause = RESTS
-        self._asked = False
+        self._asked = self._done = False
 
     def run(self) -> None:
         used = time.process_time()
-        while True:
+        while not self._done:
             real_sleep(_LOOK)
             before, used = used, time.process_time()
             if self._asks and used - before > _IDLE * _LOOK:
@@ -76,6 +77,9 @@ class _Watcher:
 
     def _end(self) -> None:
         self._since = real_clock()
+        if runners.runner():  # it decides by itself when it is done
+            self._done = True
+            return
         if not frames.leaving():
             say(f"the program shows nothing new after frame {self._seen}, and was ended there")
             frames.leave_now(toolkits.leave)

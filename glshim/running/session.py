@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import os
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -11,7 +12,7 @@ from glshim.control.keys import LiveSettings
 from glshim.control.reload import Reloader
 from glshim.errors import GlshimError, StyleError
 from glshim.notices import say, say_fault
-from glshim.running import environment, rest, stillness
+from glshim.running import environment, rest, runners, stillness
 from glshim.styling import texts
 from glshim.styling.protocol import Styler
 from glshim.system.modules import OURS_ALONE
@@ -150,7 +151,7 @@ class FrameLimit:
     """Ends the program once so many frames were presented."""
 
     def __init__(self, frames_left: int) -> None:
-        self._left = frames_left
+        self._frames = self._left = frames_left
 
     def install(self) -> None:
         """Count from now on."""
@@ -161,5 +162,13 @@ class FrameLimit:
 
     def _count(self) -> None:
         self._left -= 1
-        if self._left <= 0:
-            frames.end_program()
+        if self._left == 0 and (runner := runners.runner()):
+            frames.want_more(False)
+            told = f"{environment.FRAMES}={self._frames} did not end {runner}"
+            # What is printed now, it may keep to itself.
+            atexit.register(say, f"{told}: tests and cells that come later would be lost")
+        elif self._left == 0:
+            # Whoever catches the end may be counting failures: a status of 0 would hide them.
+            # A gallery or a report wants the frames alone.
+            frames_alone = stillness.VARIABLE in os.environ or REPORT in os.environ
+            frames.end_program(caught=0 if frames_alone else 1)

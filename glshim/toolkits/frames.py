@@ -21,7 +21,7 @@ from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
 from glshim.driver.functions import current_context
-from glshim.notices import say_fault
+from glshim.notices import say, say_fault
 from glshim.spec.pixels import TextureImage
 from glshim.system import modules
 from glshim.system.interrupts import Held
@@ -90,6 +90,8 @@ _drawable = UNKNOWN
 _presented = 0
 _leaving = False
 _exit_raised = False
+_caught = 0
+"""The exit status of a program that catches the exception which ends it."""
 _loop_asked = False
 """The app's main loop was asked to return: frames that it still shows are nobody's."""
 _showing: set[int] = set()
@@ -342,10 +344,11 @@ def leave_now(leave: Callable[[], bool]) -> None:
         exit_now()
 
 
-def end_program() -> None:
-    """Have the program end with status 0 once the listeners of this frame have run."""
-    global _leaving
-    _leaving = True
+def end_program(*, caught: int = 0) -> None:
+    """Have the program end with status 0 once the listeners of this frame have run. caught: the
+    status, if the program catches the exception that ends it and presents another frame."""
+    global _leaving, _caught
+    _leaving, _caught = True, caught
 
 
 def _call(function: Callable[[], None] | None) -> None:
@@ -365,14 +368,25 @@ def _leave(drawable: Drawable) -> None:
     in_main_thread = threading.current_thread() is threading.main_thread()
     if drawable.may_raise and in_main_thread and not _exit_raised:
         _exit_raised = True
+        atexit.register(_nothing_caught)
         raise SystemExit(0)
     with suppress(Exception):
         _loop_asked = drawable.leave()
-    if not _loop_asked:
-        exit_now()
+    if _loop_asked:
+        return
+    if _exit_raised and _caught and not isinstance(sys.exc_info()[1], SystemExit):
+        say("the program caught the SystemExit that ends it, and was ended one frame later")
+        exit_now(_caught)
+    exit_now()
 
 
-def exit_now() -> NoReturn:
+def _nothing_caught() -> None:
+    """The interpreter ends: what is presented now, exit functions present."""
+    global _caught
+    _caught = 0
+
+
+def exit_now(status: int = 0) -> NoReturn:
     """What the interpreter does at its end, without unwinding the stack."""
     run_exit_functions: Callable[[], None] = atexit._run_exitfuncs
     with suppress(Exception):
@@ -380,4 +394,4 @@ def exit_now() -> NoReturn:
     for stream in (sys.stdout, sys.stderr):
         with suppress(Exception):
             stream.flush()
-    os._exit(0)
+    os._exit(status)

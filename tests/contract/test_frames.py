@@ -256,10 +256,73 @@ def test_a_context_of_another_platform_than_pyopengl_was_told(
 
 def test_pygame_that_swallows_the_exit_ends_a_frame_later(tmp_path: Path) -> None:
     done = run(PYGAME, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="%d.png")
-    assert done.returncode == 0
+    assert done.returncode == 1  # whoever catches it may be counting failures
+    assert "caught the SystemExit that ends it" in done.stderr
     assert "swallowed 2" in done.stdout
     assert "swallowed 3" not in done.stdout
     assert pictures(tmp_path) == [((100, 80), (0, 0, 255))] * 4
+
+
+@pytest.mark.parametrize("variable", ["GLSHIM_STILL", "GLSHIM_REPORT"])
+def test_who_wants_frames_alone_gets_them_of_a_program_that_swallows(
+    tmp_path: Path, variable: str
+) -> None:
+    done = run(PYGAME, tmp_path, GLSHIM_FRAMES="3", **{variable: str(tmp_path)})
+    assert done.returncode == 0
+    assert "swallowed 2" in done.stdout
+
+
+def test_frames_of_exit_functions_change_no_status(tmp_path: Path) -> None:
+    program = PYGAME.replace("import pygame\n", "import atexit, pygame\n", 1)
+    program = program.replace("except SystemExit", "finally").replace(
+        "for frame", "atexit.register(lambda: (print('exit'), pygame.display.flip()))\nfor frame")
+    done = run(program, tmp_path, GLSHIM_FRAMES="3")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.split()[-1] == "exit"
+
+
+TESTED = """
+import unittest
+import glfw
+from OpenGL.GL import *
+
+class Draws(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        glfw.init()
+        cls.window = glfw.create_window(60, 50, "b", None, None)
+        glfw.make_context_current(cls.window)
+    def draw(self):
+        glClear(GL_COLOR_BUFFER_BIT)
+        glfw.swap_buffers(self.window)
+    def test_a(self):
+        self.draw()
+    def test_b(self):
+        self.draw()
+    def test_c(self):
+        self.draw()
+        raise ValueError("of the program's own")
+    def test_d(self):
+        self.draw()
+"""
+
+
+@pytest.mark.parametrize("runner", [["pytest", "-q", "-p", "no:cacheprovider"], ["unittest"]])
+@pytest.mark.parametrize("frames", ["2", "9"])
+def test_the_end_of_a_program_is_no_end_of_a_test_runner(
+    tmp_path: Path, runner: list[str], frames: str
+) -> None:
+    """All tests are run, and none fails that would pass without us."""
+    (tmp_path / "test_app.py").write_text(TESTED)
+    done = subprocess.run(
+        [sys.executable, "-m", *runner, "test_app.py"], cwd=tmp_path, timeout=60, check=False,
+        env=os.environ | {"GLSHIM_FRAMES": frames}, capture_output=True, text=True,
+    )  # fmt: skip
+    told = done.stdout + done.stderr
+    assert done.returncode == 1
+    assert "1 failed, 3 passed" in told or ("Ran 4 tests" in told and "(errors=1)" in told)
+    said = f"GLSHIM_FRAMES=2 did not end {runner[0]}"
+    assert (said in done.stderr) == (frames == "2")
 
 
 def test_pygame_without_opengl_has_no_frames_of_ours(tmp_path: Path) -> None:
@@ -288,7 +351,8 @@ def test_writing_a_frame_leaves_state_and_errors(tmp_path: Path) -> None:
 
 def test_a_folder_that_cannot_be_written_is_said_once(tmp_path: Path) -> None:
     (tmp_path / "taken").write_text("")
-    done = run(PYGAME, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="taken/%d.png")
+    program = PYGAME.replace("except SystemExit", "finally")
+    done = run(program, tmp_path, GLSHIM_FRAMES="3", GLSHIM_CAPTURE="taken/%d.png")
     assert done.returncode == 0
     assert done.stderr.count("no more frames are written") == 1
 

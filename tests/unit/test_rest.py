@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import threading
+
 import pytest
 
 from glshim import toolkits
-from glshim.running import rest
+from glshim.running import rest, runners
 from glshim.toolkits import frames
 
 
@@ -15,10 +17,12 @@ class World:
     def __init__(self, monkeypatch: pytest.MonkeyPatch, *, asks: bool = True) -> None:
         self.now, self.frames, self.answers = 100.0, 0, True
         self.log: list[str] = []
+        self.runner = ""
         monkeypatch.setattr(rest, "real_clock", lambda: self.now)
         monkeypatch.setattr(toolkits, "redraw_from_a_thread", self.ask)
         monkeypatch.setattr(frames, "leave_now", lambda leave: self.log.append("left"))
         monkeypatch.setattr(frames, "_loop_asked", False)
+        monkeypatch.setattr(rest.runners, "runner", lambda: self.runner)
         monkeypatch.setattr(frames, "_leaving", False)
         monkeypatch.setattr(rest.os, "_exit", lambda status: self.log.append(f"exit {status}"))
         self.watcher = rest._Watcher(lambda: self.frames, asks, lambda: 1.0)
@@ -67,3 +71,20 @@ def test_one_that_works_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
         world.watcher._worked = world.now
         world.wait(0.5)
     assert world.log == []
+
+
+def test_a_test_runner_is_not_ended(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = World(monkeypatch)
+    assert rest.runners.runner() == ""
+    world.frames, world.answers, world.runner = 1, False, "pytest"
+    world.wait(rest.PATIENCE + 0.1)
+    assert world.log == ["asked"]
+    world.watcher.run()  # which has ended
+
+
+def test_the_runner_is_found_from_any_thread() -> None:
+    found: list[str] = []
+    thread = threading.Thread(target=lambda: found.append(runners.runner()))
+    thread.start()
+    thread.join()
+    assert found == ["pytest"]
