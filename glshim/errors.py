@@ -16,6 +16,8 @@ from collections.abc import Iterable
 
 _MOST_WORD, _MOST_MESSAGE = 80, 1000
 """Characters of what is quoted in a message, and of a message."""
+_MOST_LISTED = 12
+"""Known words that a message names where none is near."""
 
 
 class GlshimError(Exception):
@@ -65,25 +67,32 @@ def _printable(character: str) -> str:
 
 def nearest(name: str, known: Iterable[str]) -> tuple[str, ...]:
     """The known names that one may have been meant to be, the likeliest first: those that are much
-    like it, or where there are none those that are somewhat."""
-    words = tuple(known)
+    like it, or where there are none those that are somewhat. Capitals count for nothing."""
+    words = {word.lower(): word for word in known}
     if len(name) > _MOST_WORD:  # no typo; the comparison would take its time
         return ()
     for least in (0.7, 0.5):
-        found = difflib.get_close_matches(name, words, n=3, cutoff=least)
+        found = difflib.get_close_matches(name.lower(), words, n=3, cutoff=least)
         if found:
-            return tuple(found)
+            return tuple(words[each] for each in found)
     return ()
 
 
-def unknown(what: str, word: str, known: Iterable[str], form: str = "{}") -> UnknownNameError:
+def unknown(
+    what: str, word: str, known: Iterable[str], form: str = "{}", listed_by: str = ""
+) -> UnknownNameError:
     """The error of a word that stands for nothing, with the nearest known ones, or all.
 
-    what: the beginning of its message; form: how a known one is written."""
+    what: the beginning of its message; form: how a known one is written; listed_by: the command
+    that prints all where they are too many for a message."""
     known = tuple(known)
     near = nearest(word, known)
+    see = listed_by if len(known) > _MOST_LISTED else ""
     if near:
         hint = f"did you mean {' or '.join(form.format(each) for each in near)}?"
+        hint += f" ({see} lists all)" if see else ""
+    elif see:
+        hint = f"{see} lists all"
     else:
         listed = ", ".join(form.format(each) for each in known)
         hint = f"there are {listed}" if listed else "it has none"

@@ -32,7 +32,8 @@ def of_styler(styler: type[Styler]) -> str:
 
 def of_look(name: str) -> str:
     """A look: the first line of its file, and the text that says the same."""
-    path = registry.looks()[name]
+    path = registry.look(name)
+    assert path is not None
     styler = load_style(path)
     summary = read_text(path).partition("\n")[0].lstrip("# ")
     return f"{name}: {summary}\n  {styler.name}:{','.join(changed_options(styler))}"
@@ -50,7 +51,7 @@ def summary(name: str) -> str:
 
 def of_name(name: str) -> str:
     """What is installed under a name. Raises `StyleError`."""
-    return of_look(name) if name in registry.looks() else of_styler(registry.load(name))
+    return of_look(name) if registry.look(name) else of_styler(registry.load(name))
 
 
 def of_text(text: str) -> tuple[str, str]:
@@ -62,7 +63,7 @@ def of_text(text: str) -> tuple[str, str]:
             return load_style(Path(text)).name, read_text(Path(text))
         except OSError as error:
             raise StyleError(f"cannot read style file {text!r}: {error}") from error
-    known = name in registry.names() or name in registry.looks()
+    known = name in registry.names() or registry.look(name)
     told = of_name(name) if known else of_styler(type(parse_style(text)))
     first, _, details = told.partition("\n")
     return first.partition(": ")[2], details

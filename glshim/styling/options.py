@@ -8,7 +8,8 @@ from dataclasses import MISSING, Field, dataclass, field, fields, replace
 from typing import Any, Literal
 
 from glshim.errors import StyleError, nearest, shown
-from glshim.styling.colours import format_colour, is_colour, parse_colour
+from glshim.styling.colournames import COLOUR_NAMES
+from glshim.styling.colours import HOW, format_colour, is_colour, parse_colour
 from glshim.styling.pictures import read_image
 
 Kind = Literal[
@@ -50,11 +51,11 @@ class Option:
         if self.kind == "switch":
             return "on, off"
         if self.kind == "colour":
-            return "#rrggbb"
+            return HOW
         words = ", ".join(self.choices)
         if self.kind == "choice or picture":
             return f"{words} or PATH.png"
-        return f"{words} or #rrggbb" if self.kind == "choice or colour" else words
+        return f"{words}, {HOW}" if self.kind == "choice or colour" else words
 
     def parse(self, text: str, folder: str = "") -> Any:
         """The stored value that a text stands for; relative paths are taken from the folder.
@@ -122,7 +123,10 @@ class Option:
         return path
 
     def _refuse(self, value: object) -> StyleError:
-        return StyleError(f"{self.name}={shown(value)} is not allowed: give {self.allowed}")
+        words = (*self.choices, *(COLOUR_NAMES if "colour" in self.kind else ()))
+        near = nearest(value, words) if isinstance(value, str) else ()
+        hint = f"did you mean {near[0]}? Give" if near else "give"
+        return StyleError(f"{self.name}={shown(value)} is not allowed: {hint} {self.allowed}")
 
 
 def _is_finite(value: float) -> bool:

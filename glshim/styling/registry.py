@@ -5,6 +5,8 @@ are style files, in packages named under ``glshim.looks``::
     dots = "my_package.dots:Dots"
     [project.entry-points."glshim.looks"]
     my_package = "my_package.looks"      # a folder of TOML files
+
+Looks in a folder ``former`` below are found by their names and listed nowhere: what was renamed.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from glshim.styling.protocol import Styler
 from glshim.system.modules import OURS_ALONE
 
 STYLERS, LOOKS = "glshim.stylers", "glshim.looks"
+FORMER = "former"
 FILE = ".toml"
 """How the name of a style file ends."""
 
@@ -45,13 +48,28 @@ def looks() -> Mapping[str, Path]:
     A name is a styler's first; of two looks called alike the one that comes first on Python's path
     counts. A package that cannot be found has no looks, which is said once.
     """
+    return _looks("")
+
+
+@cache
+def _former() -> Mapping[str, Path]:
+    return _looks(FORMER)
+
+
+def look(name: str) -> Path | None:
+    """The style file of a look, also of one that was renamed."""
+    return looks().get(name) or _former().get(name)
+
+
+def _looks(below: str) -> Mapping[str, Path]:
+    """Those in a folder of each package of looks."""
     found: dict[str, Path] = {}
     with OURS_ALONE:
         points = entry_points(group=LOOKS)
     for point in points:
         try:
             for folder in _folders(point.value):
-                for path in folder.glob("*" + FILE):
+                for path in (folder / below).glob("*" + FILE):
                     found.setdefault(path.stem, path)
         except (ImportError, ValueError) as error:
             say_once(f"the looks of {point.name!r} ({point.value}) cannot be found: {error}")
@@ -71,6 +89,7 @@ def forget() -> None:
     """Look for what is installed anew."""
     _found.cache_clear()
     looks.cache_clear()
+    _former.cache_clear()
 
 
 def load(name: str) -> type[Styler]:
@@ -81,7 +100,8 @@ def load(name: str) -> type[Styler]:
     """
     point = _found().get(name)
     if point is None:
-        raise unknown(f"no style is called {name!r}", name, (*names(), *looks()))
+        known = (*names(), *looks())
+        raise unknown(f"no style is called {name!r}", name, known, listed_by="glshim styles")
     try:
         with OURS_ALONE:
             found = point.load()

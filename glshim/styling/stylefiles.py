@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, unknown
+from glshim.errors import StyleError, UnknownNameError, unknown
 from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
 from glshim.system.reading import read_small
@@ -47,6 +47,9 @@ _TOKEN = re.compile(
 """What decides where a statement of TOML ends. A string that does not end is one, too: so no text
 takes more than one look."""
 _LONG_KEY = re.compile(rf"(?<![\w-])(?:[\w-]+[ \t]*\.[ \t]*){{{MOST_PARTS}}}")
+_UNQUOTED = re.compile(
+    r"\s*([\w.-]{1,60})\s*=\s*(#[\da-fA-F]{3,8}|[a-zA-Z][\w.:/-]{0,60})\s*(?:#.*)?\Z"
+)
 _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)\Z", re.DOTALL)
 """How TOML's readers end what they say of a fault."""
 
@@ -153,8 +156,8 @@ def read_style_file(path: Path) -> StyleFile:
         place, reason = "", str(error)
         if found:
             lines = content.rstrip().split("\n")
-            line, column = found[2] or len(lines), found[3] or len(lines[-1])
-            place, reason = f":{line}:{column}", found[1]
+            line, column = int(found[2] or len(lines)), int(found[3] or len(lines[-1]))
+            place, reason = f":{line}:{column}", _unquoted(lines[line - 1]) or found[1]
         raise StyleFileError(f"{path}{place}: {reason}") from error
 
 
@@ -162,6 +165,12 @@ def read_text(path: Path) -> str:
     """The text of a style file. Raises OSError, ValueError."""
     text = read_small(path).decode("utf-8-sig")
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _unquoted(line: str) -> str:
+    """What to write where a line gives a key a text without quotes, as ``paper = #e8dcc8``."""
+    found = _UNQUOTED.match(line)
+    return f'text values need quotes: write {found[1]} = "{found[2]}"' if found else ""
 
 
 def _without_strings(found: re.Match[str]) -> str:
@@ -205,11 +214,18 @@ def find(styler: type[Styler], key: Key) -> Option:
     if len(key) == 1:
         (name,) = key
         if name not in options:
-            raise unknown(f"style {styler.name!r} has no option {name!r}", name, options)
+            what = f"style {styler.name!r} has no option {name!r}"
+            raise unknown(what, name, options, listed_by=f"glshim styles {styler.name}")
         return options[name]
     feature, rest = key
     known = features(options.values())
     if feature not in known:
+        meant = [name for name in known if feature in _called(name)]
+        if meant:
+            raise UnknownNameError(
+                f"style {styler.name!r} has no feature [{feature}]: did you mean [{meant[0]}]?",
+                (meant[0],),
+            )
         if feature in options:
             default = options[feature].show(options[feature].default)
             raise StyleError(f"{feature} is an option, not a table: write {feature} = {default!r}")

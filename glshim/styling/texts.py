@@ -12,7 +12,7 @@ from typing import Any
 from glshim.errors import StyleError, UnknownNameError, shown
 from glshim.styling import fromfile, registry
 from glshim.styling.protocol import Styler
-from glshim.styling.registry import FILE, looks
+from glshim.styling.registry import FILE
 from glshim.styling.stylefiles import EXTENDS, StyleFileError, find, read_style_file
 
 MOST_FILES = 16
@@ -42,7 +42,7 @@ def parse_style(
         styler = _load(f"{path}:{name}", folder, files)()
     else:
         name, _, assignments = text.partition(":")
-        look = looks().get(name.strip())
+        look = registry.look(name.strip())
         styler = load_style(look, files, chain) if look else _load(name.strip(), folder, files)()
     pieces = (piece for piece in assignments.split(",") if piece.strip())
     return _made(styler, dict(_parsed(type(styler), piece, folder) for piece in pieces))
@@ -172,7 +172,7 @@ def _load(name: str, folder: str, files: list[Path]) -> type[Styler]:
     try:
         return registry.load(name)
     except UnknownNameError as error:
-        if name in looks():
+        if registry.look(name):
             raise StyleError(f'{name} is a look: write {EXTENDS} = "{name}"') from error
         if os.path.isfile(name):  # (never raises, unlike Path's)
             raise StyleError(

@@ -31,7 +31,7 @@ def figure1() -> list[Image.Image]:
     middle, arm = (80, 0, 560, 480), (150, 0, 630, 480)
     with rabbit() as head:
         return [
-            shot("hidden_line", *_VIEW, "gear").crop(middle),
+            shot("hiddenline:hidden=dashed", *_VIEW, "gear").crop(middle),
             shot("fur", *_VIEW, head).crop(middle),
             shot("shadow", str(DEMOS / "03_robot_arm.py"), frames=14).crop(arm),
             shot("cartoon_fur", *_VIEW, head).crop(middle),

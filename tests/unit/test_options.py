@@ -13,8 +13,10 @@ from PIL import Image
 
 from glshim.errors import StyleError, UnknownNameError
 from glshim.styling import descriptions, registry
+from glshim.styling.colournames import COLOUR_NAMES
+from glshim.styling.colours import parse_colour
 from glshim.styling.options import Option, options_of
-from glshim.styling.protocol import Styler
+from glshim.styling.protocol import Colour, Styler
 from glshim.styling.registry import looks
 from glshim.styling.texts import (
     name_of,
@@ -37,15 +39,17 @@ def test_values_are_numbers_colours_switches_and_words() -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("rasker", "did you mean raskar?"),
+        ("rasker", "did you mean raskar? (glshim styles lists all)"),
+        ("RASKAR", "did you mean raskar?"),
+        ("zzzz", "no style is called 'zzzz': glshim styles lists all"),
         ("raskar:ridge_agle=3", "did you mean ridge_angle"),
         ("none:ridges=on", "no option 'ridges': it has none"),
         ("raskar:ridge_angle=361", "0..360 degrees"),
         ("raskar:ridge_angle=nan", "0..360 degrees"),
         ("raskar:ridge_angle=wide", "0..360 degrees"),
-        ("raskar:ink=black", "#rrggbb"),
+        ("raskar:ink=blakc", "did you mean black? Give a colour name or #rrggbb"),
         ("raskar:ridges=perhaps", "on, off"),
-        ("raskar:fill=#12345", "app, none or #rrggbb"),
+        ("raskar:fill=#12345", "give app, none, a colour name or #rrggbb"),
         ("raskar:ridges", "write ridges=on"),
         ("", "no style"),
         ("raskar:=3", "no option ''"),
@@ -62,6 +66,44 @@ def test_a_wrong_text_gives_one_clear_line(text: str, says: str) -> None:
         parse_style(text)
     assert says in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "colour"),
+    [
+        ("blue", (0.0, 0.0, 1.0)),
+        ("RebeccaPurple", (0x66 / 255, 0x33 / 255, 0x99 / 255)),
+        ("grey", (128 / 255,) * 3),
+        ("#fff", (1.0, 1.0, 1.0)),
+        ("#f80", (1.0, 0x88 / 255, 0.0)),
+        ("#fffa", (1.0, 1.0, 1.0)),
+        ("#ff8000ff", (1.0, 128 / 255, 0.0)),
+    ],
+)
+def test_colours_have_names_and_a_short_form(text: str, colour: Colour) -> None:
+    assert parse_style(f"raskar:ink={text},fill={text}") == Raskar(ink=colour, fill=colour)
+    assert parse_colour(text) == colour == Raskar(ink=text).ink
+
+
+def test_names_of_colours_are_those_of_css() -> None:
+    assert len(COLOUR_NAMES) == 148
+    assert all(len(digits) == 6 and int(digits, 16) >= 0 for digits in COLOUR_NAMES.values())
+    for wrong in ("bleu", "#12", "#12345", "#fffffff", "", "# fff", "#ggg"):
+        with pytest.raises(StyleError, match="is not a colour"):
+            parse_colour(wrong)
+
+
+def test_an_alpha_is_not_used_which_is_said_once(capsys: pytest.CaptureFixture[str]) -> None:
+    for _ in range(2):
+        parse_colour("#1234")
+    assert capsys.readouterr().err.count("the alpha of #1234 is not used") == 1
+
+
+def test_a_look_that_was_renamed_is_read_and_listed_nowhere() -> None:
+    old = parse_style("hidden_line:width=3")
+    assert old.name == "hiddenline"
+    assert old.hidden == "dashed"  # type: ignore[attr-defined]
+    assert "hidden_line" not in {*registry.names(), *looks()}
 
 
 def test_an_unknown_name_carries_its_nearest_matches() -> None:

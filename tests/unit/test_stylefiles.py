@@ -119,6 +119,14 @@ def test_all_files_of_a_style_are_named_also_where_one_is_broken(
         ('style = "raskar"\n# ridges = 3\nfill = "none" # ridges = 3\r\nridges = 3',
          ":4: ridges=3"),
         ("style = 'raskar'\nridges = 1\nridges = 2", ":3:10: Cannot overwrite a value"),
+        ('style = "raskar"\nfill = "none"\nink = #e8dcc8 # warm', ":3:7: text values need quotes: "
+         'write ink = "#e8dcc8"'),
+        ('style = "raskar"\nridges = off', ':2:10: text values need quotes: write ridges = "off"'),
+        ('style = raskar', ':1:9: text values need quotes: write style = "raskar"'),
+        ('style = "edge_mesh"\n[contours]\nwidth = 3', ":3: style 'edge_mesh' has no feature "
+         "[contours]: did you mean [contour]?"),
+        ('style = "edge_mesh"\n[boundaries]\nwidth = 3', ":3: style 'edge_mesh' has no feature "
+         "[boundaries]: did you mean [boundary]?"),
         ("style = " + 600 * "[", ": "),
         ("frames = " + 6000 * "9", ": "),
     ],

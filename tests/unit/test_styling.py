@@ -33,7 +33,7 @@ def test_options_describe_themselves():
     assert [o.kind for o in found.values()] == [
         "number", "switch", "colour", "choice or colour", "choice"]  # fmt: skip
     assert found["width"].allowed == "1..9 px"
-    assert found["fill"].allowed == "app, none or #rrggbb"
+    assert found["fill"].allowed == "app, none, a colour name or #rrggbb"
     assert found["ink"].default == (1.0, 128 / 255, 0.0)
     for o in found.values():
         assert o.parse(o.show(o.default)) == o.default
@@ -52,7 +52,7 @@ def test_texts_become_values(name, text, value):
 
 @pytest.mark.parametrize("name, text", [
     ("width", "0.5"), ("width", "10"), ("width", "nan"), ("width", "inf"), ("width", "wide"),
-    ("on", "maybe"), ("ink", "black"), ("ink", "#12345"), ("fill", "flat"), ("mode", "c"),
+    ("on", "maybe"), ("ink", "blakc"), ("ink", "#12345"), ("fill", "flat"), ("mode", "c"),
     ("mode", "#ffffff"),
 ])  # fmt: skip
 def test_bad_texts_name_the_option_and_what_is_allowed(name, text):

@@ -1,0 +1,1 @@
+"""Looks under the names that they had before: still read, and listed nowhere."""
