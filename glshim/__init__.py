@@ -17,10 +17,24 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.errors import StyleError as StyleError
     from glshim.errors import UnknownNameError as UnknownNameError
     from glshim.geometry.crease.creases import Criterion as Criterion
+    from glshim.geometry.meshshaders.edge_mesh import BOUNDARY as BOUNDARY
+    from glshim.geometry.meshshaders.edge_mesh import CONTOUR as CONTOUR
+    from glshim.geometry.meshshaders.edge_mesh import MARKED as MARKED
+    from glshim.geometry.meshshaders.edge_mesh import RIDGE as RIDGE
+    from glshim.geometry.meshshaders.edge_mesh import VALLEY as VALLEY
     from glshim.geometry.meshshaders.poses import Keyframes as Keyframes
     from glshim.geometry.meshshaders.poses import Skin as Skin
+    from glshim.geometry.meshshaders.sieve import CREASE as CREASE
+    from glshim.geometry.meshshaders.sieve import SMOOTH as SMOOTH
     from glshim.model.batch import PolygonBatch as PolygonBatch
+    from glshim.model.boxes import Box as Box
+    from glshim.model.boxes import overlap as overlap
+    from glshim.model.boxes import without as without
     from glshim.model.camera import Camera as Camera
+    from glshim.model.dihedral import GRAIN as GRAIN
+    from glshim.model.dihedral import crease_limits as crease_limits
+    from glshim.model.lights import Light as Light
+    from glshim.model.lights import Lighting as Lighting
     from glshim.pipeline import install as install
     from glshim.pipeline import uninstall as uninstall
     from glshim.styling.fixed import BackFaces as BackFaces
@@ -32,13 +46,19 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.lines import Shader as Shader
     from glshim.styling.media.hand import brush as brush
     from glshim.styling.media.hand import hand as hand
+    from glshim.styling.media.hand import outlines as outlines
     from glshim.styling.media.hand import pencil as pencil
+    from glshim.styling.media.hand import reseeded as reseeded
+    from glshim.styling.media.ink import STROKE as STROKE
+    from glshim.styling.media.ink import TRACE as TRACE
+    from glshim.styling.media.ink import Hidden as Hidden
     from glshim.styling.media.ink import dashes as dashes
     from glshim.styling.media.ink import ink as ink
     from glshim.styling.options import Option as Option
     from glshim.styling.options import option as option
     from glshim.styling.options import options_of as options_of
     from glshim.styling.passes import HEADLIGHT as HEADLIGHT
+    from glshim.styling.passes import Actions as Actions
     from glshim.styling.passes import MeshShader as MeshShader
     from glshim.styling.passes import Pass as Pass
     from glshim.styling.passes import Primitives as Primitives
@@ -48,12 +68,20 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.passes import Weld as Weld
     from glshim.styling.passes import bodies as bodies
     from glshim.styling.pictures import Image as Image
+    from glshim.styling.pictures import is_coloured as is_coloured
     from glshim.styling.pictures import read_image as read_image
     from glshim.styling.protocol import Styler as Styler
     from glshim.styling.texts import parse_style as parse_style
+    from glshim.styling.textures import MADE as MADE
+    from glshim.styling.textures import made as made
+    from glshim.styling.textures.brushes import BRUSHES as BRUSHES
+    from glshim.styling.textures.fields import Doubles as Doubles
+    from glshim.styling.textures.fields import even as even
+    from glshim.styling.textures.fields import noise as noise
     from glshim.styling.values import Body as Body
     from glshim.styling.values import Colour as Colour
     from glshim.styling.values import Layer as Layer
+    from glshim.styling.values import Place as Place
     from glshim.styling.values import Uniform as Uniform
     from glshim.styling.wishes import Choice as Choice
     from glshim.styling.wishes import Features as Features
@@ -62,21 +90,30 @@ if TYPE_CHECKING:  # the same once more, for those who check types
 _HOMES = {
     "glshim.errors": "EnvironmentFault GlshimError RenderError StyleError UnknownNameError",
     "glshim.geometry.crease.creases": "Criterion",
+    "glshim.geometry.meshshaders.edge_mesh": "BOUNDARY CONTOUR MARKED RIDGE VALLEY",
     "glshim.geometry.meshshaders.poses": "Keyframes Skin",
+    "glshim.geometry.meshshaders.sieve": "CREASE SMOOTH",
     "glshim.model.batch": "PolygonBatch",
+    "glshim.model.boxes": "Box overlap without",
     "glshim.model.camera": "Camera",
+    "glshim.model.dihedral": "crease_limits GRAIN",
+    "glshim.model.lights": "Light Lighting",
     "glshim.pipeline": "install uninstall",
     "glshim.styling.fixed": "BackFaces",
     "glshim.styling.glsl": "glsl",
     "glshim.styling.lines": "Draw Expansion Lines Medium Shader",
-    "glshim.styling.media.hand": "brush hand pencil",
-    "glshim.styling.media.ink": "dashes ink",
+    "glshim.styling.media.hand": "brush hand outlines pencil reseeded",
+    "glshim.styling.media.ink": "dashes Hidden ink STROKE TRACE",
     "glshim.styling.options": "Option option options_of",
-    "glshim.styling.passes": "HEADLIGHT MeshShader Pass Primitives Sieve State Stencil Weld bodies",
-    "glshim.styling.pictures": "Image read_image",
+    "glshim.styling.passes": "Actions bodies HEADLIGHT MeshShader Pass "
+        "Primitives Sieve State Stencil Weld",
+    "glshim.styling.pictures": "Image is_coloured read_image",
     "glshim.styling.protocol": "Styler",
     "glshim.styling.texts": "parse_style",
-    "glshim.styling.values": "Body Colour Layer Uniform",
+    "glshim.styling.textures": "MADE made",
+    "glshim.styling.textures.brushes": "BRUSHES",
+    "glshim.styling.textures.fields": "Doubles even noise",
+    "glshim.styling.values": "Body Colour Layer Place Uniform",
     "glshim.styling.wishes": "Choice Features Pattern",
 }  # fmt: skip
 """The public names by the module that each is loaded from."""

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+import glshim
+
 ROOT = Path(__file__).parents[2]
 LONGEST = 420
 """About 400 lines: past that a file holds two things."""
@@ -102,6 +104,32 @@ def test_errors_files_and_notices_import_nothing_of_ours() -> None:
 def test_stylers_see_values_formulas_and_the_protocol() -> None:
     allowed = ("stylers", "glshim.model", "glshim.geometry", "glshim.styling", *EVERYWHERE)
     assert strangers(sources("stylers"), allowed) == []
+
+
+def test_what_stylers_import_others_can_import_from_the_top() -> None:
+    """Stylers of ours have nothing that somebody else's cannot have."""
+    names = {
+        name
+        for path in sources("stylers")
+        for name in imports(path)
+        if name.startswith("glshim.") and name not in EVERYWHERE
+    }
+    assert len(names) > 40
+    private = [name for name in names if name.rpartition(".")[2] not in glshim.__all__]
+    assert private == []  # a row of `_HOMES` in glshim/__init__.py, and docs/reference/api.md
+
+
+def test_the_names_for_checkers_of_types_are_those_that_are_loaded() -> None:
+    (block,) = [
+        node for node in ast.parse((ROOT / "glshim" / "__init__.py").read_text()).body
+        if isinstance(node, ast.If)
+    ]  # fmt: skip
+    named = {
+        alias.name: node.module
+        for node in block.body if isinstance(node, ast.ImportFrom) for alias in node.names
+    }  # fmt: skip
+    assert named == glshim._HOME_OF
+    assert all(getattr(glshim, name) is not None for name in glshim.__all__)
 
 
 def test_references_of_shaders_are_for_tests_alone() -> None:

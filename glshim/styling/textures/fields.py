@@ -8,6 +8,7 @@ from numpy.random import Generator
 from numpy.typing import NDArray
 
 Doubles = NDArray[np.float64]
+"""An array of float64."""
 
 MOST = 4096
 """Columns at most: every driver takes them."""
