@@ -29,6 +29,8 @@ COMES_UP = 2.0
 """Real seconds that a program is given after that for its first picture."""
 QUIET = 40
 """Rounds without a new picture after which a program stands still."""
+HELD_QUIET = 3
+"""Rounds without one, while a moment is held, after which a program draws in its idle function."""
 
 
 _TIMER = function_type(None, ctypes.c_int)
@@ -252,7 +254,8 @@ class GlutLoop:
         self.patient_until = 0.0
         self.idle: Callable[[], None] | None = None
         self.timers: list[tuple[float, int, Callable[[int], None], int]] = []
-        self.waiting: set[int] = set()
+        self.windows: set[int] = set()
+        """Those that were to be displayed."""
         names = ("glutDisplayFunc", "glutIdleFunc", "glutTimerFunc", "glutMainLoop", "glutGet",
                  "glutPostRedisplay", "glutSetWindow", "glutGetWindow",
                  "glutMainLoopEvent")  # fmt: skip
@@ -283,9 +286,8 @@ class GlutLoop:
         """glutDisplayFunc."""
 
         def display() -> None:
-            if self.round < SETTLE:
-                self.waiting.add(self._call("glutGetWindow"))
-            else:
+            self.windows.add(self._call("glutGetWindow"))
+            if self.round >= SETTLE:
                 function()
 
         self._call("glutDisplayFunc", display)
@@ -308,7 +310,7 @@ class GlutLoop:
 
     def redisplay(self) -> None:
         """Have every window drawn again."""
-        for window in sorted(self.waiting):
+        for window in sorted(self.windows):
             self._call("glutSetWindow", window)
             self._call("glutPostRedisplay")
 
@@ -333,6 +335,9 @@ class GlutLoop:
             real_sleep(0.001)
         if self.quiet > QUIET:
             self.when_quiet()
+        if self.moment.held and self.quiet <= HELD_QUIET:
+            self.redisplay()  # the same picture: what timers and idle functions change waits
+            return
         due = sorted(t for t in self.timers if t[0] <= self.moment.now + 1e-9)
         self.timers = [t for t in self.timers if t not in due]
         for _, _, function, value in due:

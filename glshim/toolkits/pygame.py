@@ -107,7 +107,7 @@ class Pygame(Toolkit):
 
         class Clock:
             def tick(self, _framerate: float = 0) -> int:
-                return int(STEP * 1000)
+                return 0 if moment.held else int(STEP * 1000)
 
             tick_busy_loop = get_time = get_rawtime = tick
 

@@ -140,6 +140,20 @@ def test_a_program_that_counts_frames_is_whole_in_one_tile_and_told_of_in_many(
     assert "tiles do not agree" in said and torn.shape == whole.shape
 
 
+@pytest.mark.parametrize(
+    "program", [("glut", 100), *some([("glut",), ("glfw", 7), ("pygame",)], 1)], ids=str)
+def test_every_way_shows_the_same_moment(tmp_path: Path, program: tuple[object, ...]) -> None:
+    """Whatever the scale, the style and the number of tiles, and in galleries."""
+    app = (HERE / "apps" / "moments.py", *program)
+    gallery = captured(tmp_path, "none", *app)[45, 60]
+    ticks, clock, _ = gallery.tolist()
+    assert ticks == (16 if program[0] == "glut" else 0) and clock
+    for style, *way in (("raskar", "2"), ("none", "2", "--tile", "150")):
+        picture, said = shot(tmp_path, style, *app, "--scale", *way)
+        assert "tiles do not agree" not in said
+        assert picture[45, 60].tolist() == picture[-1, -1].tolist() == gallery.tolist(), way
+
+
 def test_a_size_of_another_shape_is_filled(tmp_path: Path) -> None:
     square, said = shot(tmp_path, "none", BOARD, "320", "240", "1", "--size", "500x500")
     assert square.shape == (500, 500, 3) and "of another shape" in said

@@ -99,8 +99,10 @@ class Shot:
             self._sheet = np.array(grab(size, home))[::-1]
             self._try(self._write)
         elif self._tile is not None and self._context == current_context():
+            self._clock.held = True
             self._take(self._tile)
         elif self._rehearsing and self._context == current_context():
+            self._clock.held = True
             self._try(lambda: self.target.remember(self.home, self.mapping.window))
 
     def _after(self) -> None:
@@ -155,9 +157,9 @@ class Shot:
         self.target = Target((self._left[0].width, self._left[0].height))
         self._sheet = np.zeros((sheet[1], sheet[0], 3), np.uint8)
         self._seen = np.zeros((sheet[1], sheet[0]), bool)
-        self._clock.held = True
         # What programs read back may lie in another tile: a frame in the window shows it all.
         self._rehearsing = len(self._left) > 1
+        self._settled = False
         if not self._rehearsing:
             self._next()
 
@@ -234,12 +236,16 @@ class Shot:
         if self._settled or not current_context():
             return
         self._settled = True
-        if self._tile is None:
+        if not self._context:
             self._try(self._open)
-            self._settled = True
+            self._settled = self._clock.held = True
             return
         if current_context() != self._context:
             self._settled = False
+            return
+        # Not before: what the program's timers do until it draws belongs to the frame.
+        self._clock.held = True
+        if self._rehearsing:
             return
         # Qt binds its own before it has a widget painted.
         if integer(GL_DRAW_FRAMEBUFFER_BINDING) == self.home:
