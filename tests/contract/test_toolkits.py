@@ -115,7 +115,7 @@ def test_a_new_file_is_found_and_hooked(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("toolkit", toolkits.used(), ids=lambda toolkit: toolkit.name)
-def test_doctor_and_readme_say_what_it_does_and_lacks(
+def test_doctor_and_its_page_say_what_it_does_and_lacks(
     toolkit: Toolkit, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(toolkits, "used", lambda: (toolkit,))
@@ -124,9 +124,9 @@ def test_doctor_and_readme_say_what_it_does_and_lacks(
     said = capsys.readouterr().out
     for words in (toolkit.name, *toolkit.places(Part.FRAMES), *toolkit.lacks.values()):
         assert words in said
-    readme = (ROOT / "README.md").read_text(encoding="utf-8").replace("`", "")
+    page = (ROOT / "docs" / "guide" / "works_with.md").read_text(encoding="utf-8").replace("`", "")
     for place in toolkit.places(Part.FRAMES):
-        assert place.partition(" (")[0] in readme
+        assert place.partition(" (")[0] in page
 
 
 @pytest.mark.usefixtures("current")

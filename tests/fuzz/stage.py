@@ -148,7 +148,7 @@ class Stage:
 
     def hear(self, *args: Any) -> None:
         """A callback that writes down what it is told, without the names of objects in a message: a
-        driver that counts upwards has other ones for programs and shaders (README, Limits)."""
+        driver that counts upwards has other ones for programs and shaders (see docs, limits)."""
         if len(args) == 7 and isinstance(args[5], bytes):
             message = re.sub(rb"\b\d+\b", b"N", args[5])
             args = (*args[:4], len(message), message, args[6])
