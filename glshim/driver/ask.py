@@ -6,6 +6,7 @@ import ctypes
 
 from glshim.driver.functions import gl
 from glshim.spec.constants import (
+    GL_CURRENT_COLOR,
     GL_TEXTURE_2D,
     GL_TEXTURE_HEIGHT,
     GL_TEXTURE_RECTANGLE,
@@ -42,6 +43,13 @@ def reals(name: int, count: int) -> tuple[float, ...]:
     values = (ctypes.c_float * count)()
     gl.glGetFloatv(name, values)
     return tuple(values)
+
+
+def settle_attributes() -> None:
+    """Have the driver take in what it was told of vertex attributes. Mesa may put what it still
+    holds over what glPopAttrib brings back; it takes it in where one is asked for. Outside
+    primitives, in a compatibility context."""
+    reals(GL_CURRENT_COLOR, 4)
 
 
 def is_enabled(switch: int) -> bool:

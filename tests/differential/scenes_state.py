@@ -348,6 +348,17 @@ def little_room_for_glu_on_the_attribute_stack(app: App, left: int) -> None:
 
 
 @scene
+def unknown_lists_in_a_primitive_with_evaluated_vertices(app: App) -> None:
+    GL.glNormal3f(0, 1, 0)
+    GL.glBegin(GL.GL_TRIANGLE_FAN)
+    app.tries(GL.glEvalMesh1, GL.GL_POINT, 0, 4)  # an error, and nothing else
+    GL.glCallLists([1000, 2])
+    app.tries(GL.glEnd)
+    GL.glMatrixMode(GL.GL_MODELVIEW)
+    app.saw.append(GL.glGetFloatv(GL.GL_CURRENT_NORMAL).tolist())
+
+
+@scene
 def readback_and_copies(app: App) -> None:
     mesh(20)
     app.tries(GL.glReadPixels, 0, 0, 2, 2, GL.GL_DEPTH_COMPONENT, GL.GL_FLOAT)

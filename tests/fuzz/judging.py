@@ -10,8 +10,8 @@ from tests.fuzz.lanes import Lane
 from tests.fuzz.program import Program
 from tests.fuzz.worker import PLAIN
 
-_FILLINGS = (0x55, 0xAA)
-"""What fresh memory holds: a program that depends on it has no one picture."""
+_FILLINGS = (0x55, 0xAA, 0)
+"""What fresh memory holds, 0 as it comes: a program that depends on it has no one picture."""
 
 
 @dataclass
@@ -41,13 +41,17 @@ def cause(style: str, found: Sequence[Difference]) -> str:
 
 
 class Pair:
-    """A process without glshim and one with a style: plays in both."""
+    """Processes without glshim and one with a style: plays in all."""
 
     def __init__(self, style: str, flags: str) -> None:
-        self.plain = Lane(PLAIN, flags, _FILLINGS[0])
-        self.again = Lane(PLAIN, flags, _FILLINGS[1])
+        self.plain, *self.again = (Lane(PLAIN, flags, each) for each in _FILLINGS)
         self.styled = Lane(style, flags)
         self.style = style
+
+    @property
+    def lanes(self) -> tuple[Lane, ...]:
+        """All of them."""
+        return (self.plain, *self.again, self.styled)
 
     def differences(self, steps: Sequence[str]) -> list[Difference]:
         """None where plain itself dies or differs from play to play."""
@@ -57,14 +61,15 @@ class Pair:
         found = differences(steps, plain, styled, self.style)
         if not found:
             return []
-        again = self.again.play(steps)
-        if isinstance(again, str) or differences(steps, plain, again, NONE):
-            return []
+        for lane in self.again:
+            again = lane.play(steps)
+            if isinstance(again, str) or differences(steps, plain, again, NONE):
+                return []
         return found
 
     def close(self) -> None:
         """End the processes."""
-        for lane in (self.plain, self.again, self.styled):
+        for lane in self.lanes:
             lane.close()
 
 
@@ -82,7 +87,7 @@ def judge(program: Program, style: str, before: Sequence[Program]) -> Finding | 
     pair = Pair(style, program.flags)
     try:
         for earlier in before:
-            for lane in (pair.plain, pair.again, pair.styled):
+            for lane in pair.lanes:
                 lane.play(earlier.steps)
         found = pair.differences(program.steps)
         return Finding(program, style, program.steps, found, tuple(before)) if found else None

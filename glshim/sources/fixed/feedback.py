@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.driver.ask import integer, pointer_of
+from glshim.driver.ask import integer, pointer_of, settle_attributes
 from glshim.driver.functions import gl
 from glshim.driver.unnoticed import Unnoticed
 from glshim.model.batch import PolygonBatch
@@ -141,6 +141,7 @@ def _stage() -> Iterator[Callable[[float, int], None]]:
         yield set_stage
     finally:
         gl.glPopClientAttrib()
+        settle_attributes()
         gl.glPopAttrib()
         _restore_matrices(saved)
         gl.glFeedbackBuffer(*buffer)

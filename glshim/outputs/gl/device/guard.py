@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from types import TracebackType
 
-from glshim.driver.ask import integer, is_enabled, of_program
+from glshim.driver.ask import integer, is_enabled, of_program, settle_attributes
 from glshim.driver.context import has_framebuffers, has_pipelines, has_vertex_arrays, version
 from glshim.driver.functions import gl
 from glshim.driver.unnoticed import Unnoticed
@@ -140,6 +140,7 @@ class Guard:
             # So that Mesa pops what each buffer has of its own: it looks at what is set now.
             gl.glBlendEquationi(1, GL_MIN)
         gl.glPopClientAttrib()
+        settle_attributes()
         gl.glPopAttrib()
         if self._texture is not None:
             gl.glActiveTexture(self._texture)
