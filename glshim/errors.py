@@ -79,14 +79,15 @@ def nearest(name: str, known: Iterable[str]) -> tuple[str, ...]:
 
 
 def unknown(
-    what: str, word: str, known: Iterable[str], form: str = "{}", listed_by: str = ""
+    what: str, word: str, known: Iterable[str], form: str = "{}", *, listed_by: str = "",
+    near: Iterable[str] = (),
 ) -> UnknownNameError:
     """The error of a word that stands for nothing, with the nearest known ones, or all.
 
     what: the beginning of its message; form: how a known one is written; listed_by: the command
-    that prints all where they are too many for a message."""
+    that prints all where they are too many for a message; near: the nearest, if they are known."""
     known = tuple(known)
-    near = nearest(word, known)
+    near = tuple(dict.fromkeys(near or nearest(word, known)))
     see = listed_by if len(known) > _MOST_LISTED else ""
     if near:
         hint = f"did you mean {' or '.join(form.format(each) for each in near)}?"

@@ -241,7 +241,8 @@ def _inks(styler: Styler) -> dict[str, Colour]:
     if getattr(styler, "paper", "app") != "app" or not isinstance(styler.surface, str):
         return {}
     names = (option.name for option in options_of(type(styler)) if option.kind == "colour")
-    return {name: getattr(styler, name) for name in names if f"_{name}".endswith("_ink")}
+    inks = {name: getattr(styler, name) for name in names if f"_{name}".endswith("_ink")}
+    return {name: ink for name, ink in inks.items() if ink is not None}
 
 
 def _count(draw: Given) -> int:

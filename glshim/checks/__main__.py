@@ -10,6 +10,7 @@ from glshim.checks.finding import Finding, finding
 from glshim.errors import EnvironmentFault, GlshimError
 from glshim.notices import say
 from glshim.styling import texts
+from glshim.styling.composite import Composite
 
 
 def main(text: str) -> int:
@@ -18,6 +19,9 @@ def main(text: str) -> int:
         styler = texts.parse_style(text)
     except GlshimError as error:
         print(Finding("it can be loaded", str(error), "mend that first: nothing else was tried"))
+        return 1
+    if isinstance(styler, Composite):
+        print(Finding("it can be loaded", f"{text} is several styles", "check each by itself"))
         return 1
     print(Finding("it can be loaded", figure=f"style {styler.name}"))
     wrong = 0

@@ -7,11 +7,12 @@ from pathlib import Path
 
 from glshim.errors import StyleError
 from glshim.styling import registry
+from glshim.styling.composite import Composite
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE
 from glshim.styling.stylefiles import read_text
-from glshim.styling.texts import load_style, parse_style
+from glshim.styling.texts import load_style, name_of, parse_style, parts_of
 
 
 def of_styler(styler: type[Styler]) -> str:
@@ -57,6 +58,12 @@ def of_name(name: str) -> str:
 def of_text(text: str) -> tuple[str, str]:
     """A style text: one line that says what it is, and several about its options, or its file.
     Raises `StyleError`."""
+    parts = parts_of(text)
+    if len(parts) > 1:
+        each = [(name_of(part), *of_text(part)) for part in parts]
+        lined = " and ".join(name for name, *_ in each[1:])
+        more = "\n".join(f"{name}: {what}\n{options}" for name, what, options in each)
+        return f"surfaces of {each[0][0]}, lines of {lined}", more
     name = text.partition(":")[0].strip()
     if text.endswith(FILE):
         try:
@@ -71,6 +78,8 @@ def of_text(text: str) -> tuple[str, str]:
 
 def changed_options(styler: Styler) -> list[str]:
     """``ink=#ff0000``: the options that are not their defaults."""
+    if isinstance(styler, Composite):
+        return [text for part in styler.parts for text in changed_options(part)]
     return [
         f"{each.name}={each.show(getattr(styler, each.name))}"
         for each in options_of(type(styler))

@@ -17,6 +17,8 @@ Kind = Literal[
 ]
 _NUMBERS = ("number", "integer")
 _KEY = "glshim.option"
+AUTO = "auto"
+"""The word for None: another option decides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,10 +38,16 @@ class Option:
     """``px``, ``degrees`` or empty."""
     choices: tuple[str, ...] = ()
     """Allowed words of kinds ``choice`` and ``choice or ...``."""
+    follows: str = ""
+    """The option that decides while this one is None (`AUTO` in texts), as it is by default."""
 
     @property
     def allowed(self) -> str:
         """The range in words, for help texts and errors."""
+        return f"{self._range}, {AUTO}" if self.follows else self._range
+
+    @property
+    def _range(self) -> str:
         unit = f" {self.unit}" if self.unit else ""
         if self.kind in _NUMBERS:
             low = "" if self.low is None else f"{self.low:g}"
@@ -61,6 +69,8 @@ class Option:
         """The stored value that a text stands for; relative paths are taken from the folder.
         Raises `StyleError`, naming the option."""
         text = text.strip()
+        if self.follows and text.lower() == AUTO:
+            return None
         if self.kind in _NUMBERS:
             try:
                 return self.check(float(text))
@@ -83,6 +93,8 @@ class Option:
     def check(self, value: Any, folder: str = "") -> Any:
         """The stored value for a Python value (TOML, a constructor's argument); text colours
         and whole numbers are welcome. Raises `StyleError`, naming the option."""
+        if value is None and self.follows:
+            return None
         if self.kind == "switch":
             if isinstance(value, bool):
                 return value
@@ -103,6 +115,8 @@ class Option:
 
     def show(self, value: Any) -> str:
         """A stored value as `parse` reads it."""
+        if value is None:
+            return AUTO
         if isinstance(value, bool):
             return "on" if value else "off"
         if isinstance(value, tuple):
@@ -154,13 +168,15 @@ def option(
     choices: tuple[str, ...] = (),
     colour: bool = False,
     picture: bool = False,
+    follows: str = "",
 ) -> Any:
     """A dataclass field that is an option of a styler; its kind follows from the default.
 
     ``True``/``False``: switch. An int: whole number within low..high, in unit; a float, or an int
     of a field that is declared a float: any number there. ``"#rrggbb"``: colour, stored as
     `Colour`. One of choices: choice, or with ``colour=True`` choice or colour, with
-    ``picture=True`` choice or the path of a picture file, stored whole.
+    ``picture=True`` choice or the path of a picture file, stored whole. follows: the option that
+    decides while this one is None, as it then is by default.
     """
     kind: Kind
     if isinstance(default, bool):
@@ -173,19 +189,22 @@ def option(
         kind = "choice or colour" if colour else "choice or picture" if picture else "choice"
     else:
         kind, default = "colour", parse_colour(default)
-    described = Option("", kind, default, help, low, high, unit, choices)
+    default = None if follows else default
+    described = Option("", kind, default, help, low, high, unit, choices, follows)
     return field(default=default, metadata={_KEY: described})
 
 
 def options_of(styler: type) -> tuple[Option, ...]:
-    """The options of a styler's class, in the order of its fields."""
-    return tuple(_named(f) for f in fields(styler) if _KEY in f.metadata)
+    """The options of a styler's class, in the order of its fields, those that follow others after
+    all that do not."""
+    found = [_named(f) for f in fields(styler) if _KEY in f.metadata]
+    return tuple(sorted(found, key=lambda option: bool(option.follows)))
 
 
 def _named(f: Field[Any]) -> Option:
     found: Option = f.metadata[_KEY]
     assert f.default is not MISSING
     kind, default = found.kind, found.default
-    if kind == "integer" and f.type in ("float", float):
-        kind, default = "number", float(default)
+    if kind == "integer" and f.type in ("float", float, "float | None", float | None):
+        kind, default = "number", None if default is None else float(default)
     return replace(found, name=f.name, kind=kind, default=default)

@@ -178,7 +178,9 @@ class Pass:
     """Passes that follow each other in one coat share colour, depth and stencil; at the first of
     another one what was drawn is laid over the window, and all three begin anew. The number tells
     neighbours apart: what is given first is drawn first, whatever its coat."""
-
+    lines: bool = False
+    """It draws lines: where styles are put together, those of a style are taken, or its surfaces.
+    """
 
     def __post_init__(self) -> None:
         if self.light is None and "light" in (self.shader.needs or ()):

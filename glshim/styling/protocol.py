@@ -17,14 +17,16 @@ calls GL::
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import ClassVar
 
 from glshim.styling.fixed import BackFaces
 from glshim.styling.lines import Lines
 from glshim.styling.options import option, options_of
 from glshim.styling.passes import Pass
+from glshim.styling.renamed import Renamed
 from glshim.styling.values import Colour, Layer
 
 __all__ = ["BackFaces", "Colour", "Layer", "Lines", "Pass", "Styler", "option"]
@@ -41,6 +43,10 @@ class Styler:
     """The word in a style text, and of the entry point."""
     wants_polygons: ClassVar[bool] = True
     """False: nothing is assembled and `draws` is never called."""
+    alone: ClassVar[str] = ""
+    """Why it is not put together with other styles (``a+b``); empty: it is."""
+    former: ClassVar[Mapping[str, Renamed]] = MappingProxyType({})
+    """Names that options had before: with `takes_old_names` they are still read."""
 
     @property
     def wants_colours(self) -> bool:

@@ -13,13 +13,15 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from glshim.errors import StyleError, UnknownNameError, unknown
-from glshim.styling.options import Option, options_of
+from glshim.errors import StyleError
+from glshim.styling.lookup import Key, targets
+from glshim.styling.options import Option
 from glshim.styling.protocol import Styler
 from glshim.system.reading import read_small
 
@@ -30,13 +32,9 @@ else:
 
 STYLE, EXTENDS = "style", "extends"
 """The keys that say what the options are of: a style, or whatever a style text may name."""
-SWITCH = "on"
-"""The key of a feature's table that switches it."""
-
 MOST_PARTS = 16
 """Parts of a dotted key, at most: TOML's readers take the square of it."""
 
-Key = tuple[str, ...]
 _TOKEN = re.compile(
     r'''(?P<string>"""[^"\\]*(?:(?:\\.|"(?!""))[^"\\]*)*(?:"""(?:"{0,2})|\\?\Z)|'''
     r'''"(?:\\[^\n]|[^"\\\n])*"?|'''
@@ -67,7 +65,7 @@ class StyleFile:
     table: Mapping[str, Any]
 
     @property
-    def base(self) -> tuple[str, str]:
+    def base(self) -> tuple[str, tuple[str, ...]]:
         """`STYLE` or `EXTENDS`, and what is named there. Raises `StyleFileError`."""
         given = [key for key in (STYLE, EXTENDS) if key in self.table]
         if not given:
@@ -79,29 +77,37 @@ class StyleFile:
             line = self.line((STYLE,))
             raise self.fault((EXTENDS,), f"{EXTENDS} beside {STYLE} (line {line}): give one")
         (key,) = given
-        name = self.table[key]
-        if not isinstance(name, str):
-            raise self.fault(given, f'{key} names its style as a text: {key} = "raskar"')
-        return key, name
+        value = self.table[key]
+        if isinstance(value, str):
+            return key, (value,)
+        several = isinstance(value, list) and all(isinstance(name, str) for name in value)
+        if not several or key == STYLE or not value:
+            written = f'{EXTENDS} = ["cartoon", "edge_mesh"]' if several else f'{key} = "raskar"'
+            raise self.fault(given, f"{key} names its style as a text: {written}")
+        return key, tuple(value)
 
-    def options(self, styler: type[Styler]) -> dict[str, Any]:
-        """The checked values that the file gives to options of a styler. Raises
-        `StyleFileError`."""
-        values: dict[str, Any] = {}
-        places: dict[str, Key] = {}
+    def options(self, *stylers: type[Styler]) -> list[dict[str, Any]]:
+        """The checked values that the file gives to options of each styler: of several to all that
+        have them. Raises `StyleFileError`."""
+        places: list[dict[str, Key]] = [{} for _ in stylers]
+        values: list[dict[str, Any]] = [{} for _ in stylers]
         for key, value in self._assignments():
             try:
-                option = find(styler, key)
-                # A file may write a switch as the command line does.
-                words = isinstance(value, str) and option.kind == "switch"
-                checked = option.parse(value) if words else option.check(value, self.folder)
+                for k, target in targets(stylers, key):
+                    found = target.values(partial(self._checked, value))
+                    for name in found.keys() & places[k].keys():
+                        first = self.line(places[k][name])
+                        raise StyleError(f"{name} was given before (line {first})")
+                    places[k] |= dict.fromkeys(found, key)
+                    values[k] |= found
             except StyleError as error:
                 raise self.fault(key, str(error)) from error
-            if option.name in places:
-                first = self.line(places[option.name])
-                raise self.fault(key, f"{option.name} was given before (line {first})")
-            values[option.name], places[option.name] = checked, key
         return values
+
+    def _checked(self, value: Any, option: Option) -> Any:
+        # A file may write switches, and what follows another option, as the command line does.
+        words = isinstance(value, str) and (option.kind == "switch" or option.follows)
+        return option.parse(value, self.folder) if words else option.check(value, self.folder)
 
     def _assignments(self) -> Iterator[tuple[Key, Any]]:
         for key, value in self.table.items():
@@ -205,59 +211,6 @@ def _within(header: Sequence[str], table: Any) -> Any:
     for part in reversed(header):
         table = {part: table} if table else {}
     return table
-
-
-def find(styler: type[Styler], key: Key) -> Option:
-    """The option that a key stands for: its name, or its feature and the rest of its name.
-    Raises `StyleError` with the nearest right words."""
-    options = {option.name: option for option in options_of(styler)}
-    if len(key) == 1:
-        (name,) = key
-        if name not in options:
-            what = f"style {styler.name!r} has no option {name!r}"
-            raise unknown(what, name, options, listed_by=f"glshim styles {styler.name}")
-        return options[name]
-    feature, rest = key
-    known = features(options.values())
-    if feature not in known:
-        meant = [name for name in known if feature in _called(name)]
-        if meant:
-            raise UnknownNameError(
-                f"style {styler.name!r} has no feature [{feature}]: did you mean [{meant[0]}]?",
-                (meant[0],),
-            )
-        if feature in options:
-            default = options[feature].show(options[feature].default)
-            raise StyleError(f"{feature} is an option, not a table: write {feature} = {default!r}")
-        what = f"style {styler.name!r} has no feature [{feature}]"
-        raise unknown(what, feature, known, "[{}]")
-    if rest not in known[feature]:
-        what = f"[{feature}] of style {styler.name!r} has no {rest!r}"
-        raise unknown(what, rest, known[feature])
-    return known[feature][rest]
-
-
-def features(options: Iterable[Option]) -> dict[str, dict[str, Option]]:
-    """The options of each feature by the rest of their names: ``ridge_width`` is ``width`` of
-    ``ridge``. A switch called like a feature, or like several of it (``ridges``), is its ``on``."""
-    options = tuple(options)
-    found: dict[str, dict[str, Option]] = {}
-    for option in options:
-        parts = option.name.split("_")
-        for end in range(1, len(parts)):
-            found.setdefault("_".join(parts[:end]), {})["_".join(parts[end:])] = option
-    for option in options:
-        if option.kind == "switch":
-            own = [name for name in found if option.name in _called(name)] or [option.name]
-            for name in own:
-                found.setdefault(name, {}).setdefault(SWITCH, option)
-    return found
-
-
-def _called(feature: str) -> tuple[str, ...]:
-    """One and several of a feature."""
-    several = (feature + "s", feature + "es")
-    return (feature, *several, *([feature[:-1] + "ies"] if feature.endswith("y") else []))
 
 
 def _holds(table: Any, key: Sequence[str]) -> bool:

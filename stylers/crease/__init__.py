@@ -116,7 +116,9 @@ class Crease(Styler):
             return
         if self.silhouettes:
             if self.hidden_by == "back_faces":
-                yield Pass(found, BACK, "surface", state=_NEAREST, buffer=True, weld=self._weld)
+                yield Pass(
+                    found, BACK, "surface", state=_NEAREST, buffer=True, weld=self._weld, lines=True
+                )
             plain = self.hidden_by == "surfaces"
             yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH, plain)
         if self.creases:
@@ -159,7 +161,7 @@ class Crease(Styler):
             shortest = _SHORTEST if apart and not short else 0.0
             yield Pass(
                 found, shader, "adjacency", state=_INK, uniforms=uniforms, image=image,
-                sieve=Sieve(wanted, shortest=shortest), weld=self._weld,
+                sieve=Sieve(wanted, shortest=shortest), weld=self._weld, lines=True,
             )  # fmt: skip
 
     def _stroke(self, width: float) -> tuple[Image | None, float, int]:

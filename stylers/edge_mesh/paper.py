@@ -95,7 +95,8 @@ def _recede(look: PaperLook, models: tuple[Body, ...]) -> Pass:
         Body((), replace(camera, scissor=None, depth_range=(0.0, 1.0))) for camera in ports.values()
     )
     state = State(depth="always", writes_depth=True, writes_colour=False, blend="off")
-    return Pass(screens, RECEDE, "screen", state=state, uniforms={"factor": _factor(look)})
+    uniforms: dict[str, Uniform] = {"factor": _factor(look)}
+    return Pass(screens, RECEDE, "screen", state=state, uniforms=uniforms, lines=True)
 
 
 def _silhouettes(look: PaperLook, models: tuple[Body, ...]) -> Iterator[Pass]:
@@ -106,7 +107,7 @@ def _silhouettes(look: PaperLook, models: tuple[Body, ...]) -> Iterator[Pass]:
         counted = (counted + 1) % 255
         every: Actions = ("keep", "replace" if look.hidden != "none" else "keep", "replace")
         yield Pass(
-            (body,), MASK, "triangles",
+            (body,), MASK, "triangles", lines=True,
             state=State(
                 writes_colour=False, blend="off", clears_stencil=counted == 0,
                 stencil=Stencil("always", counted, every, every),
@@ -133,18 +134,19 @@ def _shapes(
     sieve = Sieve(wanted, (radians(look.ridge_angle), radians(look.valley_angle)))
     if look.strokes == "thin":
         yield Pass(
-            models, LINE, "edges", Primitives("lines"), state=state, uniforms=uniforms, sieve=sieve
-        )
+            models, LINE, "edges", Primitives("lines"), state=state, uniforms=uniforms, sieve=sieve,
+            lines=True,
+        )  # fmt: skip
         return
     shader = ROUND if look.caps == "round" else QUAD
     yield Pass(
         models, shader, "edges", Primitives("quads"), state=state, uniforms=uniforms,
-        image=look.image, sieve=sieve,
+        image=look.image, sieve=sieve, lines=True,
     )  # fmt: skip
     if look.caps == "paper":
         yield Pass(
             models, CAP, "edges", Primitives("triangles", 2), state=state, uniforms=uniforms,
-            image=look.image, sieve=sieve,
+            image=look.image, sieve=sieve, lines=True,
         )  # fmt: skip
 
 

@@ -115,7 +115,7 @@ class Fins(Styler):
             shortest = 0.0 if short or not self.spine else _SHORTEST
             yield Pass(
                 found, shader, "lines", state=state, uniforms=uniforms,
-                sieve=replace(_CONTOURS, shortest=shortest), weld=Weld(self.tolerance),
+                sieve=replace(_CONTOURS, shortest=shortest), weld=Weld(self.tolerance), lines=True,
             )  # fmt: skip
 
 

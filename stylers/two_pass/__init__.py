@@ -23,6 +23,7 @@ class TwoPass(Styler):
     """Silhouettes by the fixed function alone: back faces as lines (Lander 2000, Rideout 2010)."""
 
     name: ClassVar[str] = "two_pass"
+    alone: ClassVar[str] = "its lines lie below all that others draw; take crease or raskar"
 
     width: float = option(
         5.0, help="width of the lines, of which half shows outside an object; as far as the "

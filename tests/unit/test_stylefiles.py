@@ -14,8 +14,9 @@ from hypothesis import strategies as st
 from glshim.errors import StyleError
 from glshim.styling import registry
 from glshim.styling.colours import parse_colour
+from glshim.styling.lookup import features, find
 from glshim.styling.options import options_of
-from glshim.styling.stylefiles import StyleFile, features, find
+from glshim.styling.stylefiles import StyleFile
 from glshim.styling.texts import parse_style
 
 Write = Callable[..., str]
@@ -65,7 +66,8 @@ def test_every_option_of_two_words_and_every_switch_has_a_feature(name: str) -> 
     by_feature = features(options)
     for option in options:
         homes = [(f, r) for f, own in by_feature.items() for r, o in own.items() if o is option]
-        assert bool(homes) == ("_" in option.name or option.kind == "switch")
+        switches = option.kind == "switch" or {"on", "off"} <= {*option.choices}
+        assert bool(homes) == ("_" in option.name or switches)
         for feature, rest in homes:
             assert f"{feature}_{rest}" == option.name or rest == "on"
             assert find(styler, (feature, rest)) == option
