@@ -71,6 +71,7 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.pictures import is_coloured as is_coloured
     from glshim.styling.pictures import read_image as read_image
     from glshim.styling.protocol import Styler as Styler
+    from glshim.styling.screen import SCREEN as SCREEN
     from glshim.styling.texts import parse_style as parse_style
     from glshim.styling.textures import MADE as MADE
     from glshim.styling.textures import made as made
@@ -109,6 +110,7 @@ _HOMES = {
         "Primitives Sieve State Stencil Weld",
     "glshim.styling.pictures": "Image is_coloured read_image",
     "glshim.styling.protocol": "Styler",
+    "glshim.styling.screen": "SCREEN",
     "glshim.styling.texts": "parse_style",
     "glshim.styling.textures": "MADE made",
     "glshim.styling.textures.brushes": "BRUSHES",

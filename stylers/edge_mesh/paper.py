@@ -22,9 +22,8 @@ from glshim.styling.passes import (
     Stencil,
 )
 from glshim.styling.pictures import Image, is_coloured
+from glshim.styling.screen import SCREEN
 from glshim.styling.values import Body, Colour, Layer, Uniform
-
-from ..shared.screen import SCREEN
 
 KINDS = (CONTOUR, RIDGE, VALLEY, MARKED, BOUNDARY)
 """The order of what `PaperLook` says of each kind."""

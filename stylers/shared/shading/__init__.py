@@ -16,9 +16,8 @@ from glshim.geometry.crease.creases import Criterion
 from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
+from glshim.styling.screen import SCREEN
 from glshim.styling.values import Body, Layer, Uniform
-
-from ..screen import SCREEN
 
 UNDER = -1
 """The coat: lines go over it."""

@@ -19,10 +19,9 @@ from glshim.model.camera import Camera
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State
 from glshim.styling.pictures import Image
+from glshim.styling.screen import SCREEN
 from glshim.styling.textures.fields import Doubles, even, noise
 from glshim.styling.values import Body, Colour, Layer, Uniform
-
-from ..screen import SCREEN
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
 WHITE: Colour = (0.985, 0.975, 0.95)
