@@ -100,7 +100,8 @@ def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> str:
     )
     subprocess.run(["cp", "-r", *(str(ROOT / name) for name in (
         "glshim", "stylers", "demo_apps", "scripts", "pyproject.toml", "README.md", "MANIFEST.in",
-        "_glshim_start.py", "glshim.pth", "glshim.start")), str(folder)], check=True)  # fmt: skip
+        "LICENSE", "_glshim_start.py", "glshim.pth", "glshim.start")), str(folder)],
+        check=True)  # fmt: skip
     hook = [sys.executable, "-c", code, str(folder)]
     subprocess.run(hook, cwd=folder, check=True, capture_output=True)
     venv.create(folder / "venv", with_pip=False)
