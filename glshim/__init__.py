@@ -6,6 +6,10 @@
     glshim.install("raskar:ridges=off")   # before or after the program has imported PyOpenGL
     glshim.uninstall()
 
+    with glshim.style("raskar", ridge_width=4) as s:   # for a part of the program
+        draw_scene()
+        picture = s.image()               # (height, width, 3) uint8
+
 Names are loaded when first used, so that importing the package costs next to nothing.
 """
 
@@ -37,6 +41,8 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.model.lights import Lighting as Lighting
     from glshim.pipeline import install as install
     from glshim.pipeline import uninstall as uninstall
+    from glshim.running.restyling import Restyling as Restyling
+    from glshim.running.restyling import style as style
     from glshim.styling.fixed import BackFaces as BackFaces
     from glshim.styling.glsl import glsl as glsl
     from glshim.styling.lines import Draw as Draw
@@ -100,6 +106,7 @@ _HOMES = {
     "glshim.model.dihedral": "crease_limits GRAIN",
     "glshim.model.lights": "Light Lighting",
     "glshim.pipeline": "install uninstall",
+    "glshim.running.restyling": "Restyling style",
     "glshim.styling.fixed": "BackFaces",
     "glshim.styling.glsl": "glsl",
     "glshim.styling.lines": "Draw Expansion Lines Medium Shader",

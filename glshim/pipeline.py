@@ -9,7 +9,8 @@ says what to draw of a layer, and the output finds its lines and draws them.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from glshim import toolkits
@@ -28,11 +29,13 @@ from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.sources.following.silence import Silence
 from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
+from glshim.spec.roles import Role
 from glshim.styling.enlarging import enlarged
 from glshim.styling.options import options_of
 from glshim.styling.protocol import Colour, Layer, Pass, Styler
 from glshim.system import modules
 from glshim.system.ending import at_end
+from glshim.system.interrupts import Held
 from glshim.toolkits import Part, frames
 
 BINDING: Binding = PYOPENGL
@@ -210,6 +213,11 @@ class Pipeline:
             say_fault(f"style {self._name!r} is switched off, the program runs on", error)
             self.stop()
 
+    def finish(self) -> None:
+        """The picture so far is looked at: what was drawn gets its lines now."""
+        with Held():
+            self._follower.before(Role.READBACK, "", ())
+
     def stop(self) -> None:
         """Follow no more; what is pending is dropped."""
         if self._listener is not None:
@@ -321,6 +329,38 @@ def current() -> Styler | None:
     return _current.styler if _current is not None and not _current.broken else None
 
 
+def finish() -> None:
+    """What was drawn so far gets its lines now, in the current context's picture."""
+    if _current is not None and not _current.broken:
+        _current.finish()
+
+
+@contextmanager
+def styled(styler: Styler) -> Iterator[None]:
+    """What is drawn inside is drawn in a style, what was drawn before in that of then. Afterwards
+    everything is as it was: the style, or that nothing is installed."""
+    was_installed, before = BINDING.installed, current()
+    was_followed = _current is not None and not _current.broken
+    was_live = _current is not None and _current.live
+    finish()
+    install(styler, live=True)
+    if _current is not None and not styler.wants_polygons:
+        _current.use_style(None)
+    try:
+        yield
+    finally:
+        finish()
+        if not was_installed:
+            uninstall()
+        elif not was_followed:
+            _end()
+        else:
+            install(before or styler, live=True)
+            assert _current is not None
+            _current.use_style(before)
+            _current.live = was_live
+
+
 def counted() -> Counted:
     """What the frame that ends now is made of: for who listens to frame ends after `Stage.DRAW`."""
     return _current.counted if _current is not None else Counted()
@@ -333,13 +373,18 @@ def draw_into(destination: Destination) -> None:
         _current.draw_into(destination)
 
 
-def uninstall() -> None:
-    """Leave PyOpenGL and the toolkits as they were found."""
+def _end() -> None:
+    """Follow the program no more."""
     global _current
     if _current is not None:
         _current.stop()
         _current.release()
         _current = None
+
+
+def uninstall() -> None:
+    """Leave PyOpenGL and the toolkits as they were found."""
+    _end()
     if BINDING.installed:
         BINDING.uninstall()
     toolkits.release()

@@ -153,6 +153,22 @@ def _parts(styler: Styler) -> tuple[Styler, ...]:
     return styler.parts if isinstance(styler, Composite) else (styler,)
 
 
+def with_options(styler: Styler, options: Mapping[str, Any], folder: str = "") -> Styler:
+    """A styler with other values of options, by name or as tables of features: values as Python has
+    them, or as texts. Raises `StyleError`."""
+    if not options:
+        return styler
+    stylers = _parts(styler)
+    kinds = [*map(type, stylers)]
+    values: list[dict[str, Any]] = [{} for _ in stylers]
+    for name, given in options.items():
+        table = given if isinstance(given, Mapping) else {"": given}
+        for rest, value in table.items():
+            for number, target in targets(kinds, (name, rest) if rest else (name,)):
+                values[number] |= target.values(partial(_taken, value, folder))
+    return together(map(changed, stylers, values))
+
+
 def split_styles(text: str) -> list[str]:
     """The style texts of a list: ``raskar; sketch:width=3,ink=#ff0000, mine.toml``.
 
@@ -255,3 +271,8 @@ def _parsed(
 
 def _read(value: str, folder: str, option: Option) -> Any:
     return option.parse(value, folder)
+
+
+def _taken(value: Any, folder: str, option: Option) -> Any:
+    read = option.parse if isinstance(value, str) else option.check
+    return read(value, folder)
