@@ -16,6 +16,7 @@ class ShapeRole(Enum):
     QUADRIC = "draws polygons that its arguments and the quadric's settings decide"
     QUADRIC_STYLE = "says whether a quadric has polygons (LINE_STYLES)"
     QUADRIC_ORIENTATION = "says which side of a quadric is its front"
+    QUADRIC_END = "gives a quadric back"
     EXTRUSION = "draws polygons from arrays and GLE's settings"
     NURBS_OPEN = "opens a NURBS surface"
     NURBS_PART = "adds to it"
@@ -29,6 +30,7 @@ ROWS: tuple[tuple[str, ShapeRole, str], ...] = (
     ("OpenGL.raw.GLU", ShapeRole.QUADRIC, r"glu(Sphere|Cylinder|Disk|PartialDisk)"),
     ("OpenGL.raw.GLU", ShapeRole.QUADRIC_STYLE, r"gluQuadricDrawStyle"),
     ("OpenGL.raw.GLU", ShapeRole.QUADRIC_ORIENTATION, r"gluQuadricOrientation"),
+    ("OpenGL.raw.GLU", ShapeRole.QUADRIC_END, r"gluDeleteQuadric"),
     ("OpenGL.raw.GLU", ShapeRole.NURBS_OPEN, r"gluBeginSurface"),
     ("OpenGL.raw.GLU", ShapeRole.NURBS_PART,
      r"gluNurbsSurface|glu(Begin|End)Trim|gluPwlCurve|gluNurbsCurve"),
@@ -44,10 +46,6 @@ GLU_AUTO_LOAD_MATRIX = 100200
 LINE_STYLES = (GLU_POINT, GLU_LINE, GLU_SILHOUETTE)
 """Of quadrics that are drawn without polygons."""
 
-COUNTS: dict[str, tuple[int, ...]] = {
-    "gluSphere": (1, 2), "gluCylinder": (3, 4), "gluDisk": (2, 3), "gluPartialDisk": (2, 3),
-}  # fmt: skip
-"""Which arguments after a quadric are integers."""
 LENGTHS: dict[str, tuple[int, ...]] = {
     "gluSphere": (0,), "gluCylinder": (0, 1, 2), "gluDisk": (0, 1), "gluPartialDisk": (0, 1),
     "glutSolidSphere": (0,), "glutSolidCube": (0,), "glutSolidCone": (0, 1),

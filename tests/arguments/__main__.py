@@ -1,5 +1,6 @@
 """``python -m tests.arguments [--flags NAME ...] [--styles NAME ...] [--count N] [--seed S]
-[--everything]`` makes calls with arguments of every kind and says what a style changes."""
+[--everything] [--libraries] [--others WHEN]`` makes calls with arguments of every kind and says
+what a style changes."""
 
 from __future__ import annotations
 
@@ -30,12 +31,16 @@ def main() -> int:
     ask.add_argument("--seed", type=int, default=0)
     ask.add_argument("--everything", action="store_true", help="extensions, too")
     ask.add_argument("--handler", action="store_true", help="a list handler of the program's")
+    ask.add_argument("--libraries", action="store_true", help="GLU and GLUT")
+    ask.add_argument("--others", choices=("first", "last", ""), default="first",
+                     help="when other modules meddle with ctypes")
     ask.add_argument("--show", type=int, default=20)
     given = ask.parse_args()
     bad = 0
     for flags in given.flags:
         how = {"count": given.count, "seed": given.seed, "everything": given.everything,
-               "handler": given.handler, "functions": given.functions}  # fmt: skip
+               "handler": given.handler, "functions": given.functions,
+               "libraries": given.libraries, "others": given.others}  # fmt: skip
         plain = told(flags, "", **how)
         for at in plain.crashed[: given.show]:
             print(f"  ends plain PyOpenGL: {plain.cases[at]}")

@@ -25,11 +25,24 @@ import OpenGL
 for _flag, _value in GIVEN["flags"].items():
     setattr(OpenGL, _flag, _value)
 
-import glfw
-import numpy as np
+from tests.arguments import others
+
+if GIVEN["others"] == "first":
+    import glfw
+
+    others.first()
 from OpenGL import GL
 from OpenGL.arrays import ArrayDatatype
 from OpenGL.arrays.lists import ListHandler
+
+if GIVEN["libraries"]:
+    from OpenGL import GLU, GLUT
+
+    from tests.arguments import libraries
+if GIVEN["others"] == "last":
+    others.last()
+import glfw
+import numpy as np
 
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.roles import Role, role_of
@@ -113,7 +126,7 @@ def valid(name: str, argument: str, kind: Any) -> Any:
 
 
 def cases() -> Iterator[Case]:
-    chosen = list(functions())
+    chosen = list(libraries.functions() if GIVEN["libraries"] else functions())
     if GIVEN["functions"]:
         chosen = random.Random(GIVEN["seed"]).sample(chosen, GIVEN["functions"])
     for name, call in chosen:
@@ -122,9 +135,13 @@ def cases() -> Iterator[Case]:
             list(getattr(raw, "argNames", ())),
             list(getattr(raw, "argtypes", None) or ()),
         )
-        if len(names) == len(types):
-            base = [valid(name, a, t) for a, t in zip(names, types, strict=True)]
-            for place in PLACES:
+        if hasattr(call, "callbackType"):
+            for word, args, named in libraries.registrations():
+                yield f"{name} {word}", "outside", call, args, named
+        elif len(names) == len(types):
+            known = libraries.valid if GIVEN["libraries"] else valid
+            base = [known(name, a, t) for a, t in zip(names, types, strict=True)]
+            for place in libraries.places(name) if GIVEN["libraries"] else PLACES:
                 for word, args, named in calls(name, names, types, base):
                     yield f"{name} {place} {word}", place, call, args, named
 
@@ -143,7 +160,9 @@ def calls(
         yield f"extra {extra!s:.3}", [*base, extra], {}
     for at, kind in enumerate(types):
         element = element_of(kind)
-        if element is None:
+        if GIVEN["libraries"] and names[at] in libraries.objects():
+            made = libraries.pointers(base[at])
+        elif element is None:
             made = kinds.SCALARS
         else:
             made = kinds.vectors(count_of(name) or 64, element)
@@ -169,6 +188,7 @@ class Handler(ListHandler):
 
 def clean(text: str) -> str:
     text = re.sub(r"0x[0-9a-f]+|\b\d{7,}\b(?!\*)", "N", text)
+    text = re.sub(r"<[\w.]+\.(\w+_Array_\d+)", r"<\1", text)  # who asks first for such a type
     return re.sub(r"c_void_p\(\w+\)|(<cparam '.').*?>", r"\1P", text)[:600]
 
 
@@ -199,6 +219,7 @@ def run(case: Case) -> list[Any]:
     _, place, call, makes, named = case
     kinds.CALLS.clear()
     args = [make() if callable(make) else make for make in makes]
+    named = {name: make() if callable(make) else make for name, make in named.items()}
     found: list[Any] = []
     # A matrix of chance may put points on the edge of what is clipped.
     for matrix in (GL.GL_TEXTURE, GL.GL_PROJECTION, GL.GL_MODELVIEW):
@@ -208,29 +229,35 @@ def run(case: Case) -> list[Any]:
     told_of(GL.glNormal3f, 0, 0, 1)
     told_of(GL.glTexCoord2f, 0, 0)
     told_of(GL.glEdgeFlag, True)
-    if place == "fed back":
-        told_of(GL.glFeedbackBuffer, 200, GL.GL_4D_COLOR_TEXTURE)
+    if place.startswith("fed back"):
+        told_of(GL.glFeedbackBuffer, 2000, GL.GL_4D_COLOR_TEXTURE)
         told_of(GL.glRenderMode, GL.GL_FEEDBACK)
     if place == "list":
         told_of(GL.glNewList, 77, GL.GL_COMPILE)
-    elif place != "outside":
+    elif place == "surface":
+        GLU.gluBeginSurface(libraries.objects()["nurb"])
+    elif place in ("inside", "fed back"):
         told_of(GL.glBegin, GL.GL_POINTS if place == "fed back" else GL.GL_TRIANGLES)
         told_of(GL.glVertex3f, 0.1, 0.2, 0.3)
     try:
         returned = call(*args, **named)
         found.append(clean(repr(returned)))
+        if hasattr(call, "callbackType") and callable(returned):
+            returned(*[5] * len(type(returned)._argtypes_))
     except Exception as error:
         found += told(error)
     found.append(list(kinds.CALLS))
     if place in ("inside", "fed back"):
         found += [told_of(GL.glVertex3f, 0.3, 0.2, 0.1), told_of(GL.glEnd)]
+    elif place == "surface":
+        GLU.gluEndSurface(libraries.objects()["nurb"])
     elif place == "list":
         found += [told_of(GL.glEndList), told_of(GL.glCallList, 77)]
     for end in (GL.glEnd, GL.glEndList):
         found.append(told_of(end))
-    if place == "fed back":
+    if place.startswith("fed back"):
         try:
-            points = [point for _, point in GL.glRenderMode(GL.GL_RENDER)]
+            points = [point for part in GL.glRenderMode(GL.GL_RENDER) for point in part[1:]]
             found.append(clean(repr([(v.vertex, v.color, v.texture) for v in points])))
         except Exception as error:  # PyOpenGL's own, with some flags
             found.append(type(error).__name__)
@@ -249,12 +276,30 @@ def told_of(call: Callable[..., Any], *args: Any) -> str:
     return ""
 
 
-def main() -> None:
+def window() -> Callable[[], object]:
+    """Makes one, and gives what shows it."""
+    if GIVEN["libraries"]:
+        GLUT.glutInit(["arguments"])
+        GLUT.glutInitDisplayMode(GLUT.GLUT_DOUBLE | GLUT.GLUT_RGB | GLUT.GLUT_DEPTH)
+        GLUT.glutInitWindowSize(64, 64)
+        GLUT.glutCreateWindow(b"arguments")
+        return GLUT.glutSwapBuffers  # type: ignore[no-any-return]
     if not glfw.init():
         sys.exit("no display")
     glfw.window_hint(glfw.VISIBLE, 0)
-    window = glfw.create_window(64, 64, "arguments", None, None)
-    glfw.make_context_current(window)
+    made = glfw.create_window(64, 64, "arguments", None, None)
+    glfw.make_context_current(made)
+    return lambda: glfw.swap_buffers(made)
+
+
+def _ignored(it: Any) -> None:
+    """What a callback raises, and C gives to nobody."""
+    kinds.CALLS.append(f"ignored {clean(repr(it.exc_value))}")
+
+
+def main() -> None:
+    sys.unraisablehook = _ignored
+    show = window()
     GL.glEnable(GL.GL_DEPTH_TEST)
     told_of(GL.glEnableClientState, GL.GL_VERTEX_ARRAY)
     points = np.random.RandomState(0).rand(4096, 3).astype("f")
@@ -280,7 +325,7 @@ def main() -> None:
         if turn % 50 == 49:
             GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
             errors()
-            glfw.swap_buffers(window)
+            show()
     print("alive", flush=True)
 
 

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Hashable
+from functools import partial
 from types import ModuleType
 from typing import Any
 
+from numpy import ndarray
+
 from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
-from glshim.bindings.pyopengl.raw import hook_function, original_call
+from glshim.bindings.pyopengl.numeric import Numeric, letters
+from glshim.bindings.pyopengl.raw import Call, hook_function, original_call
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.driver.functions import gl
 from glshim.notices import say_fault, say_once
 from glshim.spec.constants import GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_VIEWPORT
 from glshim.spec.shapes import (
-    COUNTS,
     GLU_AUTO_LOAD_MATRIX,
     GLU_OUTSIDE,
     LENGTHS,
@@ -27,7 +30,14 @@ from glshim.spec.shapes import (
 )
 from glshim.system.interrupts import is_ours
 
-_SETTINGS = frozenset((ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION))
+_OF_QUADRICS = frozenset((
+    ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION, ShapeRole.QUADRIC_END,
+))  # fmt: skip
+"""They draw nothing."""
+_OF_NUMBERS = _OF_QUADRICS | {ShapeRole.SOLID, ShapeRole.QUADRIC}
+"""What their arguments arrive as is all that matters; where these are no arrays."""
+Described = Callable[[tuple[Any, ...]], tuple[Any, Shape | None]]
+"""Makes a call with these arguments: its result, and what it has drawn."""
 
 
 class CLibraries:
@@ -38,7 +48,7 @@ class CLibraries:
         self._hooked: list[Any] = []
         self._settings: dict[int, dict[ShapeRole, int]] = {}
         """By quadric."""
-        self._surface: list[tuple[Callable[..., Any], tuple[Any, ...]]] = []
+        self._surface: list[tuple[Call, tuple[Any, ...]]] = []
 
     def attach(self, watcher: ShapeSink) -> None:
         """Tell a watcher about every shape, in libraries imported already or later."""
@@ -61,25 +71,29 @@ class CLibraries:
             role = shape_role(module.__name__, name)
             if role is None or not hasattr(type(function), "_flags_"):
                 continue
-            call = original_call(function)
-            hook_function(function, self._hook(name, role, call))
+            hook_function(function, self._hook(name, role, function))
             self._hooked.append(function)
 
-    def _hook(self, name: str, role: ShapeRole, call: Callable[..., Any]) -> Callable[..., Any]:
-        if role in _SETTINGS:
-            return lambda *args: self._set_quadric(role, call, args)
+    def _hook(self, name: str, role: ShapeRole, function: Any) -> Call:
+        call = original_call(function)
         if role in (ShapeRole.NURBS_OPEN, ShapeRole.NURBS_PART):
             return lambda *args: self._nurbs_part(role, call, args)
+        described: Described = partial(self._others, name, role, call)
+        if role in _OF_NUMBERS:
+            types = letters(function)
+            if types is not None:
+                described = partial(self._numbers, name, role, Numeric(function, types), call)
+        if role in _OF_QUADRICS:
+            return lambda *args: described(args)[0]
 
         def hook(*args: Any) -> Any:
-            watcher = self._watcher
-            if watcher is None:
+            watcher, record = self._watcher, RECORDER.record
+            record.spill()
+            if watcher is None or record.inside():  # where it fails, or is refused
                 return call(*args)
-            RECORDER.record.spill()
             watcher.before_shape(name)
             try:
-                result = call(*args)
-                shape = self._described(name, role, call, args)
+                result, shape = described(args)
             except BaseException:
                 watcher.after_shape(None)
                 raise
@@ -88,57 +102,54 @@ class CLibraries:
 
         return hook
 
-    def _described(
-        self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
-    ) -> Shape | None:
-        try:
-            return self._describe(name, role, call, args)
-        except Exception as error:
-            if not is_ours(error):
-                raise
-            if isinstance(error, _Unknown):
-                say_once(f"unstyled: {name}, because {error}")
-            else:
-                say_fault(f"{name} stays unlined", error)
-            return None
+    def _numbers(
+        self, name: str, role: ShapeRole, numeric: Numeric, call: Call, args: tuple[Any, ...]
+    ) -> tuple[Any, Shape | None]:
+        if numeric.takes_others():
+            return call(*args), None
+        values = numeric.arrived(args)
+        numeric(values)
+        result = numeric.checked(args)
+        return result, _contained(name, lambda: self._of_numbers(name, role, numeric, values))
 
-    def _describe(
-        self, name: str, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
+    def _of_numbers(
+        self, name: str, role: ShapeRole, numeric: Numeric, values: tuple[Any, ...]
     ) -> Shape | None:
-        if role is ShapeRole.DRAWING:
-            return None
+        if role is ShapeRole.QUADRIC_END:
+            self._settings.pop(values[0], None)
+        elif role in _OF_QUADRICS:
+            self._settings.setdefault(values[0], {})[role] = values[1]
+        elif role is ShapeRole.QUADRIC:
+            settings = self._settings.get(values[0], {})
+            if settings.get(ShapeRole.QUADRIC_STYLE) not in LINE_STYLES:
+                turn = settings.get(ShapeRole.QUADRIC_ORIENTATION, GLU_OUTSIDE)
+                unit, scale = _unit(name, values[1:])
+                return Shape((name, turn, unit), lambda: _quadric(name, turn, unit), scale)
+        else:
+            unit, scale = _unit(name, values)
+            return Shape((name, unit), lambda: numeric(unit), scale)
+        return None
+
+    def _others(
+        self, name: str, role: ShapeRole, call: Call, args: tuple[Any, ...]
+    ) -> tuple[Any, Shape | None]:
+        result = call(*args)
+        return result, _contained(name, lambda: self._of_others(name, role, call, args))
+
+    def _of_others(
+        self, name: str, role: ShapeRole, call: Call, args: tuple[Any, ...]
+    ) -> Shape | None:
         if role is ShapeRole.NURBS_CLOSE:
-            parts = [*self._surface, (call, args)]
-            self._surface = []
+            parts, self._surface = [*self._surface, (call, args)], []
             key = _content(name, [a for _, each in parts for a in each])
             return Shape(key, _nurbs(parts), camera_bound=True)
-        if role is ShapeRole.QUADRIC:
-            settings = self._settings.get(_address(args[0]), {})
-            if settings.get(ShapeRole.QUADRIC_STYLE) in LINE_STYLES:
-                return None
-            turn = settings.get(ShapeRole.QUADRIC_ORIENTATION, GLU_OUTSIDE)
-            unit, scale = _unit(name, args[1:])
-            return Shape((name, turn, unit), lambda: _quadric(name, turn, unit), scale)
         if role is ShapeRole.EXTRUSION:
             return Shape(_content(name, args), lambda: call(*args))
-        unit, scale = _unit(name, args)
-        if scale == 1.0:
-            return Shape((name, unit), lambda: call(*args))
-        count = len(LENGTHS[name])
-        return Shape((name, unit), lambda: call(*unit[:count], *args[count:]), scale)
+        if role in _OF_NUMBERS:
+            raise _Unknown("it takes an array")
+        return None
 
-    def _set_quadric(
-        self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]
-    ) -> Any:
-        result = call(*args)
-        try:
-            self._settings.setdefault(_address(args[0]), {})[role] = int(_number(args[1]))
-        except Exception as error:  # what C has taken, and we cannot read
-            if not is_ours(error):
-                raise
-        return result
-
-    def _nurbs_part(self, role: ShapeRole, call: Callable[..., Any], args: tuple[Any, ...]) -> Any:
+    def _nurbs_part(self, role: ShapeRole, call: Call, args: tuple[Any, ...]) -> Any:
         if self._watcher is not None:
             if role is ShapeRole.NURBS_OPEN:
                 self._surface = []
@@ -146,7 +157,20 @@ class CLibraries:
         return call(*args)
 
 
-def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
+def _contained(name: str, describe: Callable[[], Shape | None]) -> Shape | None:
+    try:
+        return describe()
+    except Exception as error:
+        if not is_ours(error):
+            raise
+        if isinstance(error, _Unknown):
+            say_once(f"unstyled: {name}, because {error}")
+        else:
+            say_fault(f"{name} stays unlined", error)
+        return None
+
+
+def _quadric(name: str, orientation: int, scalars: tuple[Any, ...]) -> None:
     """The same shape from a quadric of our own: the app may have deleted its."""
     from OpenGL.platform import PLATFORM
 
@@ -154,64 +178,56 @@ def _quadric(name: str, orientation: int, scalars: tuple[float, ...]) -> None:
     library.gluNewQuadric.restype = ctypes.c_void_p
     quadric = ctypes.c_void_p(library.gluNewQuadric())
     library.gluQuadricOrientation(quadric, ctypes.c_uint(orientation))
-    counts = COUNTS[name]
-    arguments = [
-        ctypes.c_int(int(v)) if i in counts else ctypes.c_double(v) for i, v in enumerate(scalars)
-    ]
+    arguments = [ctypes.c_int(v) if type(v) is int else ctypes.c_double(v) for v in scalars]
     getattr(library, name)(quadric, *arguments)
     library.gluDeleteQuadric(quadric)
 
 
-def _unit(name: str, args: tuple[Any, ...]) -> tuple[tuple[float, ...], float]:
+def _unit(name: str, values: tuple[Any, ...]) -> tuple[tuple[Any, ...], float]:
     """The arguments of the same shape with a greatest length of 1, and how much larger it is:
     a sphere that pulses is one shape."""
-    scalars = tuple(float(_number(a)) for a in args)
     lengths = LENGTHS.get(name, ())
-    scale = max((abs(scalars[i]) for i in lengths), default=1.0)
+    scale = max((abs(values[i]) for i in lengths), default=1.0)
     if not 0.0 < scale < float("inf"):
-        return scalars, 1.0
-    return tuple(v / scale if i in lengths else v for i, v in enumerate(scalars)), scale
+        return values, 1.0
+    return tuple(v / scale if i in lengths else v for i, v in enumerate(values)), scale
 
 
 class _Unknown(Exception):
-    """An argument that is not plainly a number, in words."""
-
-
-def _number(value: Any) -> Any:
-    """A number that C has taken, without any code of the program's. Raises _Unknown for others."""
-    kind = type(value)
-    if kind in (int, float, bool):
-        return value
-    if issubclass(kind, int):
-        return int.__index__(value)
-    if kind.__module__ in ("ctypes", "numpy"):
-        return value.value if kind.__module__ == "ctypes" else value.item()
-    raise _Unknown(f"a {kind.__name__} is not a number that can be known")
+    """An argument that cannot be looked into, in words."""
 
 
 def _content(name: str, args: Any) -> Hashable | None:
-    """A key from everything the arguments hold; None when one of them cannot be looked into."""
+    """A key from everything the arguments hold; None when one of them cannot be looked into. Raises
+    _Unknown where code of the program's might run for it, or in the call that is made again."""
     parts: list[Hashable] = [name]
     for arg in args:
-        if isinstance(arg, (int, float)):
+        kind = type(arg)
+        if kind in _PLAIN:
             parts.append(arg)
-        elif arg is None:
-            parts.append(None)
-        elif isinstance(arg, ctypes._Pointer):
+        elif issubclass(kind, ctypes._Pointer):
             parts.append(_address(arg))
+        elif kind is ndarray or issubclass(kind, _OF_CTYPES):
+            parts.append(bytes(memoryview(arg)))
+        elif kind is _REFERENCE:
+            return None
         else:
-            try:
-                parts.append(bytes(memoryview(arg)))
-            except TypeError:
-                return None
+            raise _Unknown(f"nobody knows what a {kind.__name__} holds")
     return tuple(parts)
 
 
+_PLAIN = frozenset((int, float, bool, bytes, type(None)))
+_OF_CTYPES = (ctypes.Array, ctypes.Structure, ctypes._SimpleCData)
+_REFERENCE = type(ctypes.byref(ctypes.c_int()))
+
+
 def _address(pointer: Any) -> int:
+    if issubclass(type(pointer), ctypes.Structure):
+        return ctypes.addressof(pointer)
     return ctypes.cast(pointer, ctypes.c_void_p).value or 0
 
 
-def _nurbs(parts: list[tuple[Callable[..., Any], tuple[Any, ...]]]) -> Callable[[], None]:
+def _nurbs(parts: list[tuple[Call, tuple[Any, ...]]]) -> Callable[[], None]:
     """Draws a surface again, tessellated for the camera that is current now."""
     from OpenGL.platform import PLATFORM
 

@@ -14,17 +14,17 @@ from typing import Any
 
 from numpy import zeros
 
-from glshim.bindings.pyopengl.raw import Call
+from glshim.bindings.pyopengl.raw import Call, own_class
 from glshim.bindings.pyopengl.record import Record
 from glshim.spec.attributes import Attribute
 from glshim.system.prototypes import function_type
 
 ELEMENTS: dict[str, Any] = {
     "f": ctypes.c_float, "d": ctypes.c_double, "i": ctypes.c_int, "s": ctypes.c_short,
-    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte, "e": ctypes.c_uint,
+    "u": ctypes.c_ubyte, "b": ctypes.c_ubyte, "e": ctypes.c_uint, "p": ctypes.c_size_t,
 }  # fmt: skip
-"""C types by the type letters of attributes, and of an enum."""
-_FORMATS = {"f": "f", "d": "d", "i": "i", "s": "h", "u": "B", "b": "B", "e": "I"}
+"""C types by the type letters of attributes, of an enum and of an address."""
+_FORMATS = {"f": "f", "d": "d", "i": "i", "s": "h", "u": "B", "b": "B", "e": "I", "p": "N"}
 """The same in the language of struct."""
 _SEQUENCES: tuple[Any, ...] = ([], (), zeros(0))
 """One of each."""
@@ -108,7 +108,7 @@ _BYTES = ctypes.PYFUNCTYPE(ctypes.py_object)(_place(ctypes.pythonapi.PyBytes_Fro
 
 def _twin(function: Any, stand_in: Any) -> Callable[..., bytes]:
     # A type converts as ctypes did when it was made: one of ours may do otherwise.
-    twin = type(function)(_place(stand_in))
+    twin = own_class(function)(_place(stand_in))
     twin.restype = ctypes.py_object
     twin.stand_in = stand_in  # as long as it
     return twin  # type: ignore[no-any-return]

@@ -316,10 +316,23 @@ def _called_as(cls: Any, function: Any) -> Call:
             return cls.__call__(function, *args)
         if former.restype is not function.restype:
             former.restype = function.restype
-        check, result = function.errcheck, former(*args)
-        if check is None:
-            return result
-        checked = check(result, function, args)
-        return result if checked is args else checked
+        return checked(function, former(*args), args)
 
     return call
+
+
+def checked(function: Any, result: Any, args: tuple[Any, ...]) -> Any:
+    """What ctypes makes of the result of a call with these arguments."""
+    check = function.errcheck
+    if check is None:
+        return result
+    found = check(result, function, args)
+    return result if found is args else found
+
+
+def own_class(function: Any) -> Any:
+    """The class of a ctypes function object, below all hooks."""
+    cls: Any = type(function)
+    while "__call__" in vars(cls):
+        cls = cls.__base__
+    return cls
