@@ -15,7 +15,7 @@ from glshim.notices import say
 from glshim.running import runners
 from glshim.toolkits import frames
 from glshim.toolkits.frames import ASKED_AGAIN, RESTS
-from glshim.toolkits.moment import real_clock, real_sleep
+from glshim.toolkits.moment import Moment, real_clock, real_sleep
 
 PATIENCE = 8.0
 """Seconds without a frame after which a program that shows frames on demand is done; three times
@@ -24,37 +24,48 @@ _IDLE = 0.25
 """Share of one processor that a program takes at most while it waits for something to happen."""
 _LOOK = 0.1
 """Seconds between two looks."""
+_NEXT_ALARM = 0.2
+"""Seconds without a frame after which a program whose clocks stand still gets its next timer."""
+_COMES_UP = 2.0
+"""The same before its first frame."""
+_ALARMS = 10
+"""Timers without a frame after which it is asked for one."""
 
 
 def watch(
-    shown: Callable[[], int], *, asks: bool = False, patience: Callable[[], float] = lambda: 1.0
+    shown: Callable[[], int],
+    *,
+    moment: Moment | None = None,
+    patience: Callable[[], float] = lambda: 1.0,
 ) -> None:
-    """End a program that shows frames no more, in a thread of its own. One that shows none at all
-    is left alone.
+    """Ask a program that rests for frames, and end one that shows none any more, in a thread of its
+    own. One that shows none at all is left alone.
 
-    shown: how many frames it has shown. asks: its toolkit is asked for frames, and a program that
-    works is not taken for one that rests. patience: times what is waited otherwise.
+    shown: how many frames it has shown. moment: what its clocks show, where they stand still: time
+    passes while it waits for its timers. patience: times what is waited otherwise.
     """
-    watcher = _Watcher(shown, asks, patience)
+    watcher = _Watcher(shown, moment, patience)
     threading.Thread(target=watcher.run, name="glshim-rest", daemon=True).start()
 
 
 class _Watcher:
     def __init__(
-        self, shown: Callable[[], int], asks: bool, patience: Callable[[], float]
+        self, shown: Callable[[], int], moment: Moment | None, patience: Callable[[], float]
     ) -> None:
-        self._shown, self._asks, self._patience = shown, asks, patience
+        self._shown, self._moment, self._patience = shown, moment, patience
         self._seen, self._longest = 0, 0.0
         self._since = self._worked = real_clock()
         self._pause = RESTS
         self._asked = self._done = False
+        self._alarms, self._skipped = 0, self._since
+        """Timers since the last frame, and when the last one came."""
 
     def run(self) -> None:
         used = time.process_time()
         while not self._done:
             real_sleep(_LOOK)
             before, used = used, time.process_time()
-            if self._asks and used - before > _IDLE * _LOOK:
+            if used - before > _IDLE * _LOOK:
                 self._worked = real_clock()
             self.look()
 
@@ -66,14 +77,34 @@ class _Watcher:
             if self._seen:  # what comes before the first frame tells nothing
                 self._longest = max(self._longest, now - self._since)
             self._seen, self._since = shown, now
+            self._alarms = 0
+        rests = now - max(self._since, self._worked)
+        if self._moment is not None and self._waits_for_an_alarm(self._moment, rests):
+            if now - self._skipped > _NEXT_ALARM:
+                self._alarms, self._skipped = self._alarms + 1, now
+                self._moment.skip()
+            return
         if not shown:
             return
-        rests = now - max(self._since, self._worked if self._asks else 0.0)
-        if rests > max(PATIENCE, 3.0 * self._longest) * self._patience():
+        # Loops of toolkits that stand still are never idle.
+        silent = rests if self._moment is None else now - self._since
+        if silent > max(PATIENCE, 3.0 * self._longest) * self._patience():
             self._end()
-        elif self._asks and not self._asked and not frames.leaving() and rests > self._pause:
+        elif not self._asked and not frames.leaving() and rests > self._pause_now():
             self._asked = True
             toolkits.redraw_from_a_thread()
+
+    def _pause_now(self) -> float:
+        """Seconds of rest after which it is asked."""
+        held = self._moment is not None and self._moment.held  # then all it draws is asked for
+        return ASKED_AGAIN if held else self._pause
+
+    def _waits_for_an_alarm(self, moment: Moment, rests: float) -> bool:
+        if not moment.alarms or self._alarms >= _ALARMS:
+            return False
+        if moment.held:  # it may draw by its timers alone
+            return self._asked and rests > RESTS
+        return rests > (_NEXT_ALARM if self._seen else _COMES_UP)
 
     def _end(self) -> None:
         self._since = real_clock()

@@ -158,7 +158,7 @@ class FrameLimit:
         frames.listen(Stage.COUNT, after=self._count)
         if stillness.VARIABLE not in os.environ:  # which looks after that by itself
             frames.want_more(True)
-            rest.watch(frames.begun, asks=True)
+            rest.watch(frames.begun)
 
     def _count(self) -> None:
         self._left -= 1

@@ -1,9 +1,9 @@
 """Clocks and luck that stand still while a frame is made, so that runs of one program show the same
 moment: `glshim gallery` and `glshim shot` ask for it, and so do the tests.
 
-Time moves by `STEP` with each presented frame, and by what the program sleeps. GLUT's timers and
-idle calls are served one round a frame, after the window has settled. Clocks of toolkits that say
-that they lack this (`glshim doctor`) run on, and so do those of other C libraries.
+Time moves by `STEP` with each presented frame, by what the program sleeps, and to the next of its
+timers where it waits for that. Timers and idle calls come once a frame at most. Clocks of toolkits
+that say that they lack this (`glshim doctor`) run on, and so do those of other C libraries.
 """
 
 from __future__ import annotations
@@ -31,4 +31,7 @@ def count_frames() -> None:
     """Let time pass with the frames that the shim sees presented, and end a program that shows
     none any more."""
     frames.listen(Stage.CLOCK, after=MOMENT.frame_ends)
-    rest.watch(lambda: MOMENT.frames, patience=lambda: _HELD_PATIENCE if MOMENT.held else 1.0)
+    rest.watch(
+        lambda: MOMENT.frames, moment=MOMENT,
+        patience=lambda: _HELD_PATIENCE if MOMENT.held else 1.0,
+    )  # fmt: skip

@@ -83,9 +83,9 @@ def redraw_from_a_thread() -> None:
     """The same, where it can be asked from another thread than the program's; whether or not keys
     are watched."""
     for toolkit in used():
-        if toolkit.is_hooked(Part.FRAMES) and toolkit.hears_threads:
+        if toolkit.is_hooked(Part.FRAMES):
             with suppress(Exception):
-                toolkit.redraw()
+                toolkit.redraw_from_a_thread()
 
 
 def leave() -> bool:

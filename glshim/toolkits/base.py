@@ -118,6 +118,11 @@ class Toolkit:
     def redraw(self) -> None:
         """Ask for another frame: programs that draw only on demand would show nothing new."""
 
+    def redraw_from_a_thread(self) -> None:
+        """The same from another thread than the program's, where that can be."""
+        if self.hears_threads:
+            self.redraw()
+
     def leave(self) -> bool:
         """Ask the app's main loop to return once the callback that is running has: where
         exceptions get no further than there. False where no loop of this thread's can be asked."""

@@ -11,7 +11,7 @@ from typing import Any
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Part, Toolkit
 from glshim.toolkits.frames import Size
-from glshim.toolkits.moment import MOMENT, STEP, Moment
+from glshim.toolkits.moment import MOMENT, STEP, Alarm, Moment
 
 # pygame.OPENGL and pygame.PREALLOC: SDL shows a window without OpenGL by way of GL of its own, with
 # the first flag too, but keeps that window's pixels itself.
@@ -103,7 +103,7 @@ class Pygame(Toolkit):
 
     def hold_clock(self, module: Any, changes: Changes) -> None:
         """The clocks of module `pygame.time` show the moment; waiting moves it."""
-        moment = self.moment
+        moment, timers = self.moment, dict[int, Alarm]()
 
         class Clock:
             def tick(self, _framerate: float = 0) -> int:
@@ -118,9 +118,34 @@ class Pygame(Toolkit):
             moment.pass_by(duration / 1000)
             return duration
 
-        for name, replacement in (("get_ticks", lambda: int(moment.now * 1000)), ("wait", wait),
-                                  ("delay", wait), ("Clock", Clock)):  # fmt: skip
+        def set_timer(event: Any, millis: int, loops: int = 0) -> None:
+            kind = event if isinstance(event, int) else event.type
+            if kind in timers:
+                timers.pop(kind).stop()
+            if millis > 0:
+                timers[kind] = self._timer(event, millis / 1000, loops)
+
+        for name, replacement in (
+            ("set_timer", set_timer), ("get_ticks", lambda: int(moment.now * 1000)),
+            ("wait", wait), ("delay", wait), ("Clock", Clock),
+        ):  # fmt: skip
             changes.set(module, name, replacement)
+
+    def _timer(self, event: Any, seconds: float, loops: int) -> Alarm:
+        """Posts an event, or one of that type, so often; 0: until it is stopped."""
+        left = loops
+
+        def ring() -> None:
+            nonlocal left
+            events: Any = sys.modules["pygame.event"]
+            with suppress(Exception):  # a full queue, no display
+                events.post(events.Event(event) if isinstance(event, int) else event)
+            left -= 1
+            if not left:
+                alarm.stop()
+
+        alarm = Alarm(self.moment, seconds, ring)
+        return alarm
 
 
 TOOLKITS = (Pygame(),)

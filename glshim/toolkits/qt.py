@@ -14,14 +14,15 @@ from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import replace
 from types import FunctionType
-from typing import Any, ClassVar
+from typing import Any
 
 from glshim.driver.ask import integer
 from glshim.spec.constants import GL_DRAW_FRAMEBUFFER_BINDING
 from glshim.toolkits import frames, keyboard
-from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
+from glshim.toolkits.base import Changes, Hook, Part, Toolkit
 from glshim.toolkits.frames import Drawable, Size
 from glshim.toolkits.moment import MOMENT, Moment
+from glshim.toolkits.qtclock import QtClock, enumerator
 
 _PAINTED, _SWAPPED = "the return of paintGL", "swapBuffers"
 _RENDERED = "the return of render (QQuickFramebufferObject)"
@@ -51,8 +52,6 @@ class Qt(Toolkit):
 
     may_raise = False
     hears_threads = True
-    lacks: ClassVar[Lacks] = {Part.CLOCK: "QTimer, QElapsedTimer and animations run on"}
-
     def __init__(self, package: str, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
         self.name = self.package = package
@@ -82,6 +81,7 @@ class Qt(Toolkit):
             swaps = functools.partial(self.hook_swaps, name)
             yield Hook(Part.FRAMES, f"{self.package}.{module}", swaps, _SWAPPED)
         yield Hook(Part.KEYS, f"{self.package}.QtCore", self.hook_keys, "an event filter")
+        yield Hook(Part.CLOCK, f"{self.package}.QtCore", self.hold_clock, "QTimer, QElapsedTimer")
 
     def size(self, widget: Any) -> Size:
         target = getattr(widget, "framebufferObject", None)
@@ -275,6 +275,13 @@ class Qt(Toolkit):
                 app.removeEventFilter(event_filter)
 
 
+    # -- clock -----------------------------------------------------------------------------------
+
+    def hold_clock(self, module: Any, changes: Changes) -> None:
+        """Timers and QElapsedTimer by the moment. Animations run on."""
+        QtClock(module, self.moment).serve(changes)
+
+
 def _shown_by_qt() -> None:
     """Qt puts the widget's picture on the screen after `paintGL`, when it likes."""
 
@@ -285,7 +292,7 @@ def _filter_class(module: Any) -> Callable[[], Any]:
 
         def eventFilter(self, watched: Any, event: Any) -> bool:
             try:
-                kind = _number(event.type())
+                kind = enumerator(event.type())
                 return kind in (SHORTCUT_OVERRIDE, KEY_PRESS, KEY_RELEASE) and is_ours(kind, event)
             except Exception:  # PyQt ends the program at one
                 return False
@@ -295,24 +302,19 @@ def _filter_class(module: Any) -> Callable[[], Any]:
 
 def is_ours(kind: int, event: Any) -> bool:
     """Whether a key event, of a number of QEvent::Type, ends here."""
-    name = _KEYS.get(_number(event.key()))
+    name = _KEYS.get(enumerator(event.key()))
     if kind == KEY_RELEASE:
         # A key that is held comes up and down again all the time.
         if event.isAutoRepeat():
             return keyboard.pressed(name, again=True)
         return keyboard.released(name)
-    held = keyboard.modifiers(_number(event.modifiers()), _MODIFIERS)
+    held = keyboard.modifiers(enumerator(event.modifiers()), _MODIFIERS)
     if kind == KEY_PRESS:
         return keyboard.pressed(name, held, again=event.isAutoRepeat())
     if keyboard.is_ours(name, held, shortcut=True):
         event.accept()  # then the key comes as such, whatever shortcut the app has on it
         return True
     return False
-
-
-def _number(value: Any) -> int:
-    """An enumerator, of Python's or of a binding's own kind."""
-    return int(getattr(value, "value", value))
 
 
 TOOLKITS = tuple(Qt(package) for package in ("PyQt5", "PySide2", "PyQt6", "PySide6"))

@@ -15,13 +15,13 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from types import FrameType
-from typing import Any, ClassVar
+from typing import Any
 
 from glshim.system.interrupts import Held, raiser
 from glshim.toolkits import frames, keyboard
-from glshim.toolkits.base import Changes, Hook, Lacks, Part, Toolkit
+from glshim.toolkits.base import Changes, Hook, Part, Toolkit
 from glshim.toolkits.frames import Drawable, Size
-from glshim.toolkits.moment import MOMENT, Moment
+from glshim.toolkits.moment import MOMENT, Alarm, Moment
 
 SWAP, MAKE_CURRENT = "swapbuffers", "makecurrent"
 TAG = "glshim"
@@ -39,6 +39,8 @@ FOLLOW = f"""namespace eval {TAG} {{
     }}
 }}"""
 """What a trace calls: a handler of the app's may raise before the first bytecode of ours."""
+LOOK = 5
+"""Milliseconds between two looks at a clock that stands still."""
 _KEYS = {
     **{name: name for name in keyboard.NAMES}, **{name.lower(): name for name in keyboard.NAMES},
     "Prior": "PageUp", "Next": "PageDown",
@@ -58,7 +60,6 @@ class Tk(Toolkit):
     name, package = "Tk", "tkinter"
     may_raise = False
     tested = "Togl 2.0, LinuxCNC's Togl and pyopengltk 0.0.4 on X"
-    lacks: ClassVar[Lacks] = {Part.CLOCK: "Tk's `after` runs on"}
 
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
@@ -71,11 +72,16 @@ class Tk(Toolkit):
         self._togls: weakref.WeakKeyDictionary[Any, Togl] = weakref.WeakKeyDictionary()
         self.contexts: weakref.WeakKeyDictionary[Any, int] = weakref.WeakKeyDictionary()
         """The contexts of Togl widgets that were made current, by widget."""
+        self._after: Callable[..., Any] | None = None
+        """Tkinter's own, while ours is in its place."""
+        self._looks = self._is_asked = False
+        """For another frame, by another thread: what looks after that is there; it was."""
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "tkinter", self.hook_togl, "Togl's command swapbuffers")
         yield Hook(Part.FRAMES, "pyopengltk", self.hook_frame, "OpenGLFrame.tkSwapBuffers")
         yield Hook(Part.KEYS, "tkinter", self.hook_tags, "a bind tag")
+        yield Hook(Part.CLOCK, "tkinter", self.hold_clock, "after")
 
     def size(self, widget: Any) -> Size:
         return widget.winfo_width(), widget.winfo_height()
@@ -101,6 +107,9 @@ class Tk(Toolkit):
 
     def drawable(self, widget: Any = None) -> Drawable:
         self._widgets.add(widget)
+        if self._after is not None and not self._looks:
+            self._looks = True
+            self._look(widget)
         return super().drawable(widget)
 
     # -- frame ends ------------------------------------------------------------------------------
@@ -192,6 +201,59 @@ class Tk(Toolkit):
             with suppress(Exception):  # it may be gone
                 if plain is not None:
                     plain(widget, tuple(tag for tag in plain(widget) if tag != TAG))
+
+
+    # -- clock -----------------------------------------------------------------------------------
+
+    def hold_clock(self, module: Any, changes: Changes) -> None:
+        """`after` by the moment: Tk looks often whether that is there."""
+        moment, kind = self.moment, module.Misc
+        plain, plain_cancel = self._after, _ = kind.after, kind.after_cancel
+        waiting: dict[Any, list[Any]] = {}
+        """By what the program was given for it: the alarm, and what Tk gave last."""
+
+        @functools.wraps(plain)
+        def after(widget: Any, ms: Any, func: Any = None, *arguments: Any, **named: Any) -> Any:
+            if func is None:
+                moment.pass_by(int(ms) / 1000)
+                return None
+            if ms == "idle" or (not int(ms) and not moment.frames):
+                return plain(widget, ms, func, *arguments, **named)
+            alarm = Alarm(moment, int(ms) / 1000)
+
+            @functools.wraps(func, assigned=("__name__",), updated=())
+            def look() -> None:
+                if alarm.comes(again=False):
+                    waiting.pop(given, None)
+                    func(*arguments, **named)
+                else:
+                    waiting[given][1] = plain(widget, LOOK, look)
+
+            given = plain(widget, LOOK, look)
+            waiting[given] = [alarm, given]
+            return given
+
+        @functools.wraps(plain_cancel)
+        def after_cancel(widget: Any, id: Any) -> Any:
+            alarm, last = waiting.pop(id, (None, id))
+            if alarm is not None:
+                alarm.stop()
+            return plain_cancel(widget, last)
+
+        changes.set(kind, "after", after)
+        changes.set(kind, "after_cancel", after_cancel)
+
+    def redraw_from_a_thread(self) -> None:
+        self._is_asked = True
+
+    def _look(self, widget: Any) -> None:
+        """Expose the widgets once another thread asks for that."""
+        if self._is_asked:
+            self._is_asked = False
+            self.redraw()
+        with suppress(Exception):  # it may be gone
+            assert self._after is not None
+            self._after(widget, LOOK, self._look, widget)
 
 
 class Togl:

@@ -11,15 +11,17 @@ import pytest
 from PIL import Image
 
 from tests.programs.harness import HERE, ROOT
+from tests.programs.sources import LIBRARIES, SourceMissing, fetched
 from tests.sweep import some
 
 BOARD = str(HERE / "apps" / "drawing_board.py")
 
 
 def glshim(*arguments, cwd=None):
+    paths = os.pathsep.join(filter(None, (str(ROOT), os.environ.get("PYTHONPATH"))))
     done = subprocess.run(
         [sys.executable, "-m", "glshim", *map(str, arguments)], text=True, capture_output=True,
-        timeout=300, check=False, cwd=cwd, env={**os.environ, "PYTHONPATH": str(ROOT)})
+        timeout=300, check=False, cwd=cwd, env={**os.environ, "PYTHONPATH": paths})
     assert "Traceback" not in done.stderr, done.stderr
     return done
 
@@ -140,18 +142,41 @@ def test_a_program_that_counts_frames_is_whole_in_one_tile_and_told_of_in_many(
     assert "tiles do not agree" in said and torn.shape == whole.shape
 
 
-@pytest.mark.parametrize(
-    "program", [("glut", 100), *some([("glut",), ("glfw", 7), ("pygame",)], 1)], ids=str)
-def test_every_way_shows_the_same_moment(tmp_path: Path, program: tuple[object, ...]) -> None:
-    """Whatever the scale, the style and the number of tiles, and in galleries."""
+MOMENTS = [("glut",), ("qt", 30), ("glfw", 7), ("tk", 30), ("pygame",), ("qt",), ("pygame", 30),
+           ("tk",)]
+SOURCES = {"qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",)}
+TICKS = {("glut",): 2, ("glut", 100): 2, ("qt", 30): 1, ("tk", 30): 2}
+"""How often a timer comes before the third frame, with a widget's first paints."""
+
+
+@pytest.mark.parametrize("program", [("glut", 100), *some(MOMENTS, 1)], ids=str)
+def test_every_way_shows_the_same_moment(
+    tmp_path: Path, program: tuple[object, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whatever the scale, the style and the number of tiles, and in galleries: timers, idle
+    functions, clocks, and widgets that paint on demand."""
+    find_modules(SOURCES.get(str(program[0]), ()), monkeypatch)
     app = (HERE / "apps" / "moments.py", *program)
     gallery = captured(tmp_path, "none", *app)[45, 60]
     ticks, clock, _ = gallery.tolist()
-    assert ticks == (16 if program[0] == "glut" else 0) and clock
+    assert ticks == 8 * TICKS.get(program, 0) and clock
     for style, *way in (("raskar", "2"), ("none", "2", "--tile", "150")):
         picture, said = shot(tmp_path, style, *app, "--scale", *way)
         assert "tiles do not agree" not in said
         assert picture[45, 60].tolist() == picture[-1, -1].tolist() == gallery.tolist(), way
+
+
+def find_modules(sources, monkeypatch):
+    """Have programs find what these sources bring."""
+    try:
+        folders = {source: fetched(source) for source in sources}
+    except SourceMissing as reason:
+        pytest.skip(str(reason))
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(map(str, folders.values())))
+    libraries = [str(folders[source] / LIBRARIES[source])
+                 for source in sources if source in LIBRARIES]
+    if libraries:
+        monkeypatch.setenv("LD_LIBRARY_PATH", os.pathsep.join(libraries))
 
 
 def test_a_size_of_another_shape_is_filled(tmp_path: Path) -> None:

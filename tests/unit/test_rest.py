@@ -9,12 +9,15 @@ import pytest
 from glshim import toolkits
 from glshim.running import rest, runners
 from glshim.toolkits import frames
+from glshim.toolkits.moment import Alarm, Moment
 
 
 class World:
     """A program, and the seconds that pass."""
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch, *, asks: bool = True) -> None:
+    def __init__(
+        self, monkeypatch: pytest.MonkeyPatch, moment: Moment | None = None
+    ) -> None:
         self.now, self.frames, self.answers = 100.0, 0, True
         self.log: list[str] = []
         self.runner = ""
@@ -25,7 +28,7 @@ class World:
         monkeypatch.setattr(rest.runners, "runner", lambda: self.runner)
         monkeypatch.setattr(frames, "_leaving", False)
         monkeypatch.setattr(rest.os, "_exit", lambda status: self.log.append(f"exit {status}"))
-        self.watcher = rest._Watcher(lambda: self.frames, asks, lambda: 1.0)
+        self.watcher = rest._Watcher(lambda: self.frames, moment, lambda: 1.0)
 
     def ask(self) -> None:
         self.log.append("asked")
@@ -88,3 +91,61 @@ def test_the_runner_is_found_from_any_thread() -> None:
     thread.start()
     thread.join()
     assert found == ["pytest"]
+
+
+# -- clocks that stand still -----------------------------------------------------------------------
+
+
+def test_a_program_that_waits_for_a_timer_gets_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    moment = Moment()
+    world = World(monkeypatch, moment)
+    world.frames = 1
+    moment.frame_ends()
+    alarm = Alarm(moment, 3.0)
+    assert not alarm.comes(again=True)
+    world.wait(rest._NEXT_ALARM + 0.05)
+    assert moment.now == pytest.approx(3.02)
+    assert world.log == []
+    assert alarm.comes(again=True)
+    assert not alarm.comes(again=True)
+    moment.pass_by(9.0)
+    assert not alarm.comes(again=True)  # once a frame at most
+    moment.frame_ends()
+    assert alarm.comes(again=False)
+    assert not moment.alarms
+
+
+def test_one_whose_timers_show_nothing_is_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    moment = Moment()
+    world = World(monkeypatch, moment)
+    world.frames = 1
+    alarm = Alarm(moment, 0.01)
+    for _ in range(300):
+        alarm.comes(again=True)
+        world.wait(0.01)
+    assert "asked" in world.log
+
+
+def test_a_held_moment_is_asked_for_and_timers_wait(monkeypatch: pytest.MonkeyPatch) -> None:
+    moment = Moment()
+    world = World(monkeypatch, moment)
+    world.frames, world.answers, moment.held = 1, False, True
+    alarm = Alarm(moment, 0.01)
+    world.wait(0.5)
+    assert world.log == ["asked"]
+    assert not alarm.comes(again=True)
+    world.wait(1.0)  # it draws by its timers alone
+    assert alarm.comes(again=True)
+    assert moment.now == 0.0
+    moment.frame_ends()
+    assert not alarm.comes(again=True)
+
+
+def test_a_program_whose_first_frame_waits_for_a_timer(monkeypatch: pytest.MonkeyPatch) -> None:
+    moment = Moment()
+    world = World(monkeypatch, moment)
+    alarm = Alarm(moment, 5.0)
+    world.wait(rest._COMES_UP - 0.1)
+    assert not alarm.comes(again=True)
+    world.wait(0.3)
+    assert alarm.comes(again=True)

@@ -30,6 +30,7 @@ class QtRig(Rig):
         self.binding, self.swaps = binding, swaps
         self.shows_by_itself = not swaps
         self.asked = 0
+        self.elapsed: Any = None
         self.filters: list[Any] = []
 
         class Widget:
@@ -53,8 +54,10 @@ class QtRig(Rig):
         app = SimpleNamespace(
             installEventFilter=self.filters.append, removeEventFilter=self.filters.remove)
         paints, widget, swap, swapper = self.MODULES[binding]
+        elapsed = type("Elapsed", (), {"start": lambda _: None, "elapsed": lambda _: 99000})
         core = SimpleNamespace(
-            QObject=object, QCoreApplication=SimpleNamespace(instance=lambda: app))
+            QObject=object, QCoreApplication=SimpleNamespace(instance=lambda: app),
+            QElapsedTimer=elapsed)
         parts: dict[str, Any] = {f"{binding}.QtCore": core}
         for part in ("QtGui", "QtWidgets", "QtOpenGL", "QtOpenGLWidgets"):
             parts[f"{binding}.{part}"] = SimpleNamespace()
@@ -91,6 +94,12 @@ class QtRig(Rig):
 
     def redraws(self) -> int:
         return self.asked
+
+    def seconds(self) -> float:
+        if self.elapsed is None:
+            self.elapsed = self.modules[f"{self.binding}.QtCore"].QElapsedTimer()
+            self.elapsed.start()
+        return float(self.elapsed.elapsed() / 1000)
 
 
 class QmlRig(QtRig):

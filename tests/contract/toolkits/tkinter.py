@@ -80,6 +80,9 @@ class TkRig(Rig):
     def __init__(self, widget: str) -> None:
         super().__init__(Tk())
         self.widget_name, self.asked = widget, 0
+        self.calls: list[Any] = []
+        """What Tk is to call as soon as it can."""
+        self.heard: list[float] = []
         self.tk = tk = Interpreter(self.shown)
         rig = self
 
@@ -91,6 +94,13 @@ class TkRig(Rig):
                     return self.tags
                 self.tags = tuple(tagList)
                 return None
+
+            def after(self, ms: int, func: Any, *arguments: Any) -> Any:
+                rig.calls.append(lambda: func(*arguments))
+                return rig.calls[-1]
+
+            def after_cancel(self, id: Any) -> None:
+                rig.calls.remove(id)
 
         class BaseWidget(Misc):
             def __init__(self, widget_name: str, path: str = PATH) -> None:
@@ -151,6 +161,17 @@ class TkRig(Rig):
 
     def redraws(self) -> int:
         return self.asked
+
+    def seconds(self) -> float:
+        """The latest of timers for 0.02 s, 0.04 s and so on that has come."""
+        if not self.heard:
+            self.heard.append(0.0)
+            for number in range(1, 100):
+                self.modules["tkinter"].Misc().after(20 * number, self.heard.append, number / 50)
+        calls, self.calls[:] = list(self.calls), []
+        for call in calls:
+            call()
+        return max(self.heard)
 
 
 RIGS: dict[str, Callable[[], Rig]] = {
