@@ -16,6 +16,7 @@ from glshim.commands.check_style import CheckStyle
 from glshim.commands.command import Command
 from glshim.commands.doctor import Doctor, version_of
 from glshim.commands.gallery import Gallery
+from glshim.commands.new_style import NewStyle
 from glshim.commands.run import Run
 from glshim.commands.shot import Shot
 from glshim.commands.styles import Styles
@@ -24,7 +25,7 @@ from glshim.errors import GlshimError
 from glshim.notices import say
 
 COMMANDS: tuple[Command, ...] = (
-    Run(), View(), Gallery(), Shot(), Styles(), CheckStyle(), Doctor(),
+    Run(), View(), Gallery(), Shot(), Styles(), NewStyle(), CheckStyle(), Doctor(),
 )  # fmt: skip
 """All of them, in the order of the help text."""
 
