@@ -127,25 +127,25 @@ def document(rows: Sequence[Row], arguments: str) -> str:
     return f"""\
 # Which folds are ridges and which valleys
 
-Two quads meet at a fold of 1 to 359 degrees in steps of 1 and are rendered small, from
+Two quads meet at a fold of 1 to 359 degrees, in steps of 1. They are rendered small, from
 {DIRECTIONS} directions and at three distances, through the fixed function and style `raskar` with
-one kind of line on. A ridge belongs where the angle that the viewer sees is at most the threshold,
-a valley where it is greater. The viewer sees the material's angle where both faces show their
-front, 360 degrees less it where both show their back (the inside of a sheet), and a silhouette,
-neither ridge nor valley, where one of each. Directions follow the fold: 22 of 50 at which both
-fronts show, 22 at which both backs do (a fold of 1 degree shows both faces only from a wedge
-1 degree wide), 6 at which one of each does.
+one kind of line on. A ridge is expected where the angle that the viewer sees is at most the
+threshold, a valley where it is greater. Where both faces show their front, the viewer sees the
+angle of the solid; where both show their back (the inside of a sheet), 360 degrees minus that
+angle; where one of each shows, a silhouette, which is neither. The directions follow the
+fold: from 22 of 50 both fronts are visible, from 22 both backs (both faces of a fold of 1 degree
+are visible only from a wedge 1 degree wide), and from 6 one of each.
 
-A picture counts as drawn where ink lies within 1 px along at least 99 % of the fold (and, where
-both faces show 3 px and more of themselves, on 99 % of all pixels within 1 px; lines are
-{WIDTH:g} px wide), as not drawn where no pixel at all carries ink, as *in part* otherwise.
-*Missing* and *extra* are wrong decisions outside the band of 1 degree around the threshold. Within
-the band the picture may be either, never in part; besides whole degrees it is looked at
+A fold counts as drawn if ink lies within 1 px along at least 99 % of it (and, if both faces
+are at least 3 px wide in the picture, on 99 % of all pixels within 1 px; lines are
+{WIDTH:g} px wide), as not drawn if no pixel carries ink, and as *in part* otherwise.
+*Missing* and *extra* are wrong decisions outside a band of 1 degree around the threshold. Within
+the band either decision is right, but never a part; besides whole degrees, folds are tested
 {", ".join(f"{s:g}" for s in _CLOSE if s > 0)} degrees on either side.
 
-The fold comes as one batch of two quads, as two objects (a batch and a modelview each: the fold is
-computed twice), and as one batch cut across into four pieces. A fold is 0.9 long; the pixels are
-its length on the screen seen square on.
+The fold is sent as one batch of two quads, as two objects (each with a batch and a modelview: the
+fold is computed twice), and as one batch cut into four pieces. A fold is 0.9 units long; the
+pixels given are its length on the screen, seen face on.
 
     python -m tests.decision {arguments}
 

@@ -48,9 +48,9 @@ def document(scenes: list[Scene]) -> str:
     """docs/measurements/flaws.md."""
     parts = [
         "# Flaws of the paper's method, before and after",
-        "Left, Raskar 2001 sections 2.1 and 2.2 to the letter (`tests/flaws/paper.py`); right, "
-        "style `raskar`. The same command draws and measures both, and "
-        "`tests/golden/test_flaws.py` holds that each measure is 0 on the right and is not on the "
+        "Left: Raskar 2001, sections 2.1 and 2.2, to the letter (`tests/flaws/paper.py`). "
+        "Right: style `raskar`. One command draws and measures both, and "
+        "`tests/golden/test_flaws.py` checks that each measure is 0 on the right and not on the "
         "left.",
         "    python -m tests.flaws out/flaws --write",
     ]

@@ -70,8 +70,9 @@ def threshold() -> Scene:
     return Scene(
         "threshold",
         "z-fighting near the threshold",
-        "Hexagonal bolts fold by exactly the threshold of 120 degrees: the added quads lie in the "
-        "neighbours' planes and fight with them; whether such a fold is a ridge is decided once.",
+        "The sides of hexagonal bolts meet at exactly the threshold of 120 degrees. Left: the "
+        "added quads lie in the neighbours' planes and fight with them. Right: it is decided once "
+        "whether such a fold is a ridge.",
         bolts,
         measure.in_part,
         ridge_width=6,
@@ -84,8 +85,9 @@ def cracks() -> Scene:
     return Scene(
         "cracks",
         "cracks between wide quads",
-        "Ridges of 40 px round a coarse ring: wedges stay open between the quads of edges that "
-        "follow each other; the stroke of each edge ends round, and none stays.",
+        "Ridges of 40 px on a coarse ring. Left: wedges stay open between the quads of "
+        "consecutive edges. Right: the stroke of each edge has round ends, and no wedge stays "
+        "open.",
         [(look.torus(16, 8, 1.0, 0.6), _camera((0, -3, 4), fov=24.0))],
         lambda p: measure.gaps_along(p, 40),
         ridge_width=40,
@@ -99,9 +101,9 @@ def corners() -> Scene:
     return Scene(
         "corners",
         "gaps at corners",
-        "Every quad ends square off its own edge: around the rim of an octagonal nut a wedge stays "
-        "open at each corner, and outside the silhouette's corners are cut; each line reaches "
-        "round its corner to the next.",
+        "The rim of an octagonal nut. Left: every quad ends at a right angle to its own edge, so "
+        "a wedge stays open at each corner, and the corners of the silhouette are cut. Right: "
+        "each line reaches around its corner to the next.",
         [(prism(8, 1.2, 0.55, turn=10), camera)],
         lambda p: measure.gaps_at_corners(p, 32) + measure.gaps_around(p, 24),
         silhouette_width=24,
@@ -120,9 +122,9 @@ def thickness() -> Scene:
     return Scene(
         "thickness",
         "ridges that change thickness where they turn into silhouettes",
-        "The rim of a can is a ridge in front and a silhouette at the back. With one width w, two "
-        "quads of w make the ridge twice as thick; as widths of visible lines they agree all "
-        "the way round.",
+        "The rim of a can is a ridge in front and a silhouette at the back, both of width w. "
+        "Left: two quads of width w make the ridge twice as thick. Right: w is the width of the "
+        "visible line, all the way round.",
         [(prism(32, 1.1, 0.75), camera)],
         uneven,
         silhouette_width=8,
@@ -168,9 +170,9 @@ def wall() -> Scene:
     return Scene(
         "wall",
         "lines lost into a wall close behind",
-        "Plates 0.8 wide that stand 0.001, 0.005, 0.02 and 0.05 out of a wall: the quads "
-        "on their faces lean back into it, and half of each line is lost; a line that is seen at "
-        "its edge is drawn over its whole width.",
+        "Plates 0.8 wide that stand 0.001, 0.005, 0.02 and 0.05 out of a wall. Left: the quads "
+        "lean back into the wall, and half of each line is lost. Right: a line that is visible at "
+        "its edge is drawn in its full width.",
         plates,
         lambda p: measure.gaps_along(p, 10, beside=True),
         behind=[(_wall(), camera)],
@@ -264,8 +266,8 @@ def near() -> Scene:
     return Scene(
         "near",
         "lines crossing the near plane",
-        "A beam from behind the viewer into the distance: width over depth means nothing behind "
-        "the viewer, and the lines flare; edges are cut at the near plane first.",
+        "A beam that begins behind the viewer. Left: a width divided by depth means nothing "
+        "behind the viewer, and the lines flare. Right: edges are cut at the near plane first.",
         [(box((-0.3, -3, -0.2), (0.3, 14, 0.3)), camera)],
         uneven,
         silhouette_width=10,

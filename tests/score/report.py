@@ -66,25 +66,26 @@ def page(rows: list[Row], command: str, count: int) -> str:
 
     {command}
 
-Drawn ink against the lines that connectivity says are seen: {count} views a mesh from all sides, in
-turns parallel and in perspective, {SIZE} x {SIZE} pixels, style `raskar` at its defaults unless the
-command says otherwise, each kind of line alone and all together.
+Drawn ink is compared with the lines that should be visible according to the mesh: {count} views of
+each mesh from all sides, alternately parallel and in perspective, at {SIZE} x {SIZE} pixels. The
+style is `raskar` with its defaults unless the command says otherwise, with each kind of line alone
+and with all together.
 {missing}
-* **precision**: of the ink pixels (at least a tenth of the ink's colour), those within the line's
-  width + 1 px of a line that is seen, or that may be.
-* **recall**: of the places that are surely seen, every half pixel along the lines, those with ink
-  within the line's width + 1 px; **within 1.5 px** asks for it closer, whatever the width.
+* **precision**: the share of ink pixels (at least a tenth of the ink's colour) that lie within the
+  line's width + 1 px of a line that is visible or may be.
+* **recall**: the share of surely visible places, sampled every half pixel along the lines, that
+  have ink within the line's width + 1 px; **within 1.5 px** is the same for that distance.
 * **dots**: 8-connected ink of fewer than 6 pixels, unless the picture's border cuts it or the true
   line there is as short.
-* **worst view**: the lesser of precision and recall in the worst of the views.
-* **unsure**: of the places that are seen, those within a pixel of an occlusion boundary or nearer
-  to what lies there than depth resolves. **beside**: places that are hidden, but within a pixel of
-  an occlusion boundary, over those that are seen. Ink may be on either or not; the second may
-  exceed 100 % where a noisy surface turns away.
+* **worst view**: the lower of precision and recall in the worst view.
+* **unsure**: the share of visible places that lie within a pixel of an occlusion boundary, or
+  nearer to what lies there than depth can resolve. **beside**: hidden places within a pixel of an
+  occlusion boundary, divided by visible ones; it may exceed 100 % where a noisy surface turns away.
+  Ink is right at both, and so is no ink.
 
-Truth: `tests/score/truth.py` (edges by welded corners, crossings by triangle against triangle) and
-`tests/score/sight.py` (rays in float64), independent of what draws. `--out DIR` writes pictures
-with the errors marked.
+The true lines come from `tests/score/truth.py` (edges of welded corners, intersections of every
+pair of triangles) and `tests/score/sight.py` (rays in float64). They do not
+depend on what draws. `--out DIR` writes pictures with the errors marked.
 
 {table}
 """
