@@ -99,6 +99,19 @@ def test_links_lead_to_pages_and_headings() -> None:
     assert not leads_somewhere("docs/index.md#speed", page)
 
 
+def test_users_are_told_where_the_tests_can_be_run() -> None:
+    """`pip install` brings no tests."""
+    users = [ROOT / "README.md", *(ROOT / "docs" / "guide").glob("*.md")]
+    silent = [
+        (page.name, part)
+        for page in users
+        for part in page.read_text(encoding="utf-8").split("\n\n")
+        if "-m tests" in part and "clone of the repository" not in part
+    ]
+    assert silent == []
+    assert "-m tests" in (ROOT / "docs" / "guide" / "gallery.md").read_text(encoding="utf-8")
+
+
 def test_the_reader_of_pages_sees_files_folders_and_examples() -> None:
     text = "`a/b.py: f` and `glshim/c`, `a/` or `1/2`; `x=d.toml,e.glsl` a/f.py `and/or not`"
     assert [*named(text)] == ["a/b.py", "glshim/c", "a/", "1/2", "d.toml", "e.glsl", "and/or"]
