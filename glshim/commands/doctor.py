@@ -67,10 +67,8 @@ def print_report(*, headless: bool = False) -> int:
     _row("version", f"{ours} on Python {platform.python_version()}, {platform.platform()}")
     found = launch.startup_file()
     _row("start-up file", found or "missing")
-    if found is None:
-        troubles.append(
-            "GLSHIM_STYLE has no effect: install glshim into this Python (pip install .)"
-        )
+    if fault := launch.startup_fault():
+        troubles.append(f"GLSHIM_STYLE has no effect: {fault}")
     _row("styles", ", ".join(registry.names()) or "none installed")
     _row("looks", ", ".join(registry.looks()) or "none installed")
     if not registry.names() or not registry.looks():

@@ -57,17 +57,32 @@ def startup_file() -> Path | None:
     return None
 
 
+def startup_fault() -> str:
+    """Why Python would not start glshim with a program, and what to do; empty where it would."""
+    if sys.flags.ignore_environment:
+        return "python -I and python -E ignore the variables that glshim sets: leave them out"
+    if startup_file() is not None:
+        return ""
+    if sys.flags.no_site:
+        return "python -S reads no start-up files: leave out -S, or call glshim.install()"
+    for folder in sys.path:
+        if Path(folder, STARTUP_FILE).is_file():
+            return (
+                f"glshim is in {os.path.abspath(folder)}, which is on PYTHONPATH: Python reads no "
+                ".pth files there, so programs would run unstyled; install glshim into this Python "
+                "(pip install, without --target), or call glshim.install() in the program"
+            )
+    return (
+        f"{STARTUP_FILE} is missing where {sys.executable} looks at its start: install glshim into "
+        "this Python (pip install .)"
+    )
+
+
 def require_startup_file() -> None:
     """Raises `EnvironmentFault` where Python would not start glshim with the program."""
-    if sys.flags.ignore_environment:
-        raise EnvironmentFault(
-            "python -I and python -E ignore the variables that glshim sets: leave them out"
-        )
-    if startup_file() is None:
-        raise EnvironmentFault(
-            f"{STARTUP_FILE} is not where {sys.executable} looks at its start: install glshim "
-            "into this Python (pip install .) and leave out -S"
-        )
+    fault = startup_fault()
+    if fault:
+        raise EnvironmentFault(fault)
 
 
 def interpreter_flags() -> list[str]:

@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import venv
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -164,6 +165,31 @@ def test_python_that_reads_no_startup_file_is_refused(tmp_path: Path) -> None:
     done = glshim("run", "app.py", cwd=tmp_path, environ=environ, flags=("-S",))
     assert done.returncode == 2
     assert "leave out -S" in done.stderr
+
+
+@pytest.mark.parametrize("command", [["run", "app.py"], ["doctor"]])
+def test_an_install_that_is_only_on_pythonpath_is_told_that_it_does_not_start(
+    tmp_path: Path, command: list[str]
+) -> None:
+    """As of ``pip install --target``: Python reads no .pth there, and all would seem well."""
+    root = Path(__file__).parents[2]
+    target = tmp_path / "target"
+    for name in ("glshim", "stylers", "demo_apps", "glshim.pth", "_glshim_start.py"):
+        target.mkdir(exist_ok=True)
+        (target / name).symlink_to(root / name)
+    (tmp_path / "app.py").write_text("open('started', 'w')")
+    bare = tmp_path / "bare"
+    venv.create(bare)
+    packages = [path for path in sys.path if path.endswith("site-packages")]
+    environ = {**os.environ, "PYTHONPATH": os.pathsep.join([str(target), *packages])}
+    done = subprocess.run(
+        [str(bare / "bin" / "python"), "-m", "glshim", *command], cwd=tmp_path, env=environ,
+        capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert done.returncode == (2 if command[0] == "run" else 1)
+    told = done.stderr if command[0] == "run" else done.stdout
+    assert f"glshim is in {target}, which is on PYTHONPATH: Python reads no .pth files" in told
+    assert not (tmp_path / "started").exists()
 
 
 def test_styles_lists_every_style_with_its_options() -> None:
