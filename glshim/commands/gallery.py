@@ -10,7 +10,7 @@ from glshim.commands.command import Command
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.notices import say
 from glshim.running import subjects
-from glshim.running.gallery.runs import Run, run_all, styled
+from glshim.running.gallery.runs import MOST_JOBS, Run, jobs_here, run_all, styled
 from glshim.running.gallery.tiles import PLAIN, Tile, file_names, tile
 from glshim.styling import registry, texts
 from glshim.system.writing import PAGES, PICTURES, picture_target
@@ -42,6 +42,10 @@ class Gallery(Command):
             "--columns", type=int, default=4, metavar="N", help="pictures in a row"
         )
         parser.add_argument(
+            "-j", "--jobs", type=int, metavar="N",
+            help=f"runs at the same time (default: one per processor, at most {MOST_JOBS})",
+        )  # fmt: skip
+        parser.add_argument(
             "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
             help="for each run (default: %(default)g)",
         )  # fmt: skip
@@ -57,8 +61,9 @@ class Gallery(Command):
         chosen = asked.compare or texts.split_styles(asked.styles or "")
         names = chosen or all_styles()
         styles, unusable = _checked(names, tolerant=not chosen)
-        if asked.columns < 1 or not asked.timeout > 0:
-            raise EnvironmentFault("--columns and --timeout are greater than zero")
+        jobs = jobs_here() if asked.jobs is None else asked.jobs
+        if min(asked.columns, jobs) < 1 or not asked.timeout > 0:
+            raise EnvironmentFault("--columns, --jobs and --timeout must be greater than zero")
         page = Path(asked.output).absolute()
         if page.suffix.lower() not in (".html", ".htm"):
             raise EnvironmentFault(f"{asked.output!r} does not name a page: it ends in .html")
@@ -81,9 +86,12 @@ class Gallery(Command):
                     bar.set_postfix_str(ended.name)
                     bar.update()
 
-                ended = run_all(subject.command, runs, asked.timeout, done)
-            tiles = [tile(run) for run in ended]
-            tiles += [Tile(text, "", "", folder / "none", why) for text, why in unusable.items()]
+                ended = run_all(subject.command, runs, asked.timeout, done, jobs)
+            tiles = [tile(run, subject.title) for run in ended]
+            tiles += [
+                Tile(text, "", folder / "none", subject.title, fault=why)
+                for text, why in unusable.items()
+            ]
             write_contact_sheet(sheet, subject.title, tiles, asked.columns)
             failed = [each for each in tiles if each.fault]
             if asked.compare and not failed:

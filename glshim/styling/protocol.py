@@ -45,6 +45,8 @@ class Styler:
     """False: nothing is assembled and `draws` is never called."""
     alone: ClassVar[str] = ""
     """Why it is not put together with other styles (``a+b``); empty: it is."""
+    categories: ClassVar[tuple[str, ...]] = ()
+    """Words by which galleries filter it (`glshim.styling.categories`); empty: its options say."""
     former: ClassVar[Mapping[str, Renamed]] = MappingProxyType({})
     """Names that options had before: with `takes_old_names` they are still read."""
 

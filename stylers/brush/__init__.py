@@ -28,6 +28,7 @@ class Brush(ByHand):
     """Lines painted with a brush over surfaces painted in the app's colours (NPRQuake)."""
 
     name: ClassVar[str] = "brush"
+    categories: ClassVar[tuple[str, ...]] = ("paint", "paper")
 
     brush: str = option(
         "pen2b",

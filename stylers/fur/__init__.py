@@ -38,6 +38,7 @@ class Fur(Styler):
     """Hair on every surface: shells, and fins near contours (Lengyel et al. 2001)."""
 
     name: ClassVar[str] = "fur"
+    categories: ClassVar[tuple[str, ...]] = ("effects",)
 
     length: float = option(
         20.0, help="length of a hair, at the middle of its object", low=1.0, high=200.0, unit="px"

@@ -49,6 +49,7 @@ class Shadow(Styler):
     """Shadows that the program's polygons cast in the light of its GL_LIGHT0."""
 
     name: ClassVar[str] = "shadow"
+    categories: ClassVar[tuple[str, ...]] = ("effects",)
 
     darkness: float = option(0.5, help="share of the tint in shadows", low=0.0, high=1.0)
     tint: Colour = option("#000000", help="colour of shadows")

@@ -1,7 +1,10 @@
 """`glshim gallery`: pages that stand by themselves, runs that fail, and none left behind."""
 
+import html
+import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -79,6 +82,72 @@ def test_a_page_with_all_pictures_and_a_contact_sheet(tmp_path: Path) -> None:
     assert sheet.width > 2 * 400 and sheet.height > 2 * 300
 
 
+BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
+USE = """<script>
+addEventListener("load", () => {
+  const found = {}, shown = () => [...document.querySelectorAll("figure")]
+    .filter(figure => figure.offsetParent).map(figure => figure.querySelector("h2").textContent);
+  const wide = () => [...document.querySelectorAll("body *")]
+    .filter(each => each.getBoundingClientRect().right > innerWidth + 1).length;
+  const input = document.querySelector("input");
+  found.all = shown();
+  document.querySelectorAll("details").forEach(each => each.open = true);
+  found.wide = [innerWidth, wide()];
+  document.dispatchEvent(new KeyboardEvent("keydown", {key: "/"}));
+  found.focused = document.activeElement === input;
+  input.value = "INK sil"; input.dispatchEvent(new Event("input"));
+  found.typed = [shown(), document.querySelector("output").textContent];
+  document.dispatchEvent(new KeyboardEvent("keydown", {key: "Escape"}));
+  document.querySelector("button[value=paper]").click();
+  found.paper = shown();
+  input.value = "zebra"; input.dispatchEvent(new Event("input"));
+  found.none = [shown(), document.querySelector(".nothing").hidden];
+  document.title = JSON.stringify(found);
+});
+</script>"""
+
+
+def page_of_four(folder: Path) -> Path:
+    """A page without any program."""
+    from glshim.running.gallery.page import write_page
+    from glshim.running.gallery.runs import styled
+    from glshim.running.gallery.tiles import tile
+
+    picture = folder / "picture.png"
+    Image.new("RGB", (40, 30), "#804020").save(picture)
+    tiles = [tile(styled(name, name, 3, picture), "gears <1>.py")
+             for name in ("none", "raskar", "edge_mesh", "charcoal")]
+    write_page(folder / "page.html", "gears <1>.py", tiles, 4, picture)
+    return folder / "page.html"
+
+
+def test_a_page_is_described_and_shows_all_without_scripts(tmp_path: Path) -> None:
+    text = page_of_four(tmp_path).read_text("utf-8")
+    assert 'alt="gears &lt;1&gt;.py in style raskar: Ink on' in text
+    assert 'alt="gears &lt;1&gt;.py without a style"' in text and "<h2>none</h2>" in text
+    assert re.search(r'<form class="filter"[^>]* hidden>', text)  # a script shows it
+    assert not re.search(r"<figure[^>]* hidden", text)
+    assert '<h2>charcoal</h2>' in text and "<dt class=changed><code>paper</code>" in text
+
+
+@pytest.mark.skipif(BROWSER is None, reason="no Chromium to open the page with")
+@pytest.mark.parametrize("width", [500, 1400])  # Chromium's windows are no narrower
+def test_tiles_are_filtered_by_words_and_by_category(tmp_path: Path, width: int) -> None:
+    page = page_of_four(tmp_path)
+    page.write_text(page.read_text("utf-8") + USE, "utf-8")
+    done = subprocess.run(
+        [BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", f"--window-size={width},900",
+         f"--user-data-dir={tmp_path / 'profile'}", "--dump-dom", page.as_uri()],
+        capture_output=True, text=True, timeout=120, check=True)
+    title = re.search("<title>(.*?)</title>", done.stdout, re.DOTALL)
+    assert title is not None, done.stderr
+    assert json.loads(html.unescape(title[1])) == {
+        "all": ["none", "raskar", "edge_mesh", "charcoal"], "focused": True,
+        "wide": [width, 0], "typed": [["raskar"], "1 of 4 shown"], "paper": ["charcoal"],
+        "none": [[], False],
+    }
+
+
 def test_two_styles_under_a_slider(tmp_path: Path) -> None:
     done = glshim(tmp_path, "gallery", "cube", "--compare", "none", "raskar", "-o", "both.html")
     assert done.returncode == 0, done.stderr
@@ -117,7 +186,8 @@ def test_a_run_that_fails_is_a_tile_that_says_why(tmp_path: Path) -> None:
     [(["nothing.py"], "there is no file nothing.py"), (["cube", "--styles", "rasker"], "raskar"),
      (["lost.obj"], "there is no model lost.obj"), ([], "name what to show"),
      (["cube", "-o", "out.pdf"], "ends in .html"), (["cube", "--frame", "0"], "whole number"),
-     (["cube", "--columns", "0"], "greater than zero")],
+     (["cube", "--columns", "0"], "greater than zero"),
+     (["cube", "--jobs", "0"], "greater than zero")],
 )  # fmt: skip
 def test_a_command_that_makes_no_sense_ends_before_any_run(
     tmp_path: Path, arguments: list[str], says: str
@@ -160,7 +230,7 @@ def test_ctrl_c_leaves_no_process_behind(tmp_path: Path) -> None:
            "subprocess.Popen([sys.executable, '-c', wait, sys.argv[0]])\nexec(wait)\n")
     with subprocess.Popen(
         [sys.executable, "-m", "glshim", "gallery", mark, "--styles", "none,raskar,crease",
-         "--timeout", "40"],
+         "--timeout", "40", "--jobs", "2"],
         cwd=tmp_path, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         # As in a terminal: what runs in the background has it ignored.

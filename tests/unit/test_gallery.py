@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from glshim.commands.gallery import all_styles
 from glshim.outputs.wrapping import wrapped
 from glshim.running.gallery.runs import styled
-from glshim.running.gallery.tiles import Tile, file_names, tile
+from glshim.running.gallery.tiles import Row, Tile, file_names, tile
+from glshim.styling.categories import CATEGORIES, categories_of
+from glshim.styling.texts import parse_style
 
 PAGE = Path(__file__).parents[2] / "docs" / "guide" / "writing_a_styler.md"
 
@@ -30,34 +32,56 @@ def test_pictures_have_names_of_their_own() -> None:
 
 
 def tile_of(text: str) -> Tile:
-    return tile(styled(text, text, 3, Path("x.png")))
+    return tile(styled(text, text, 3, Path("x.png")), "gears.py")
 
 
 @pytest.mark.parametrize(
-    ("text", "summary", "details"),
+    ("text", "summary", "categories", "option"),
     [
-        ("none", "The program's own picture.", ""),
-        ("raskar:ridges=off", "", "ridge_angle"),
-        ("charcoal:paper=#ffffff", "", "edge_mesh:"),
+        ("none", "The program's own picture.", (), None),
+        ("raskar:ridges=off", "Ink on", ("lines",), Row("ridges", "off", "on", "on, off", "")),
+        ("charcoal:paper=#ffffff", "Charcoal", ("paper",), Row("paper", "#ffffff", "app", "", "")),
+        ("brush", "Lines painted", ("paint", "paper"), None),
+        ("cartoon", "Cel", ("paint",), None),
+        ("hiddenline", "A hidden-line", ("paper",), None),
+        ("fur", "Hair", ("effects",), None),
+        ("sketch+raskar", "surfaces of sketch", ("paper", "lines"), None),
     ],
 )
-def test_a_tile_says_what_its_style_is(text: str, summary: str, details: str) -> None:
+def test_a_tile_says_what_its_style_is(
+    text: str, summary: str, categories: tuple[str, ...], option: Row | None
+) -> None:
     made = tile_of(text)
-    assert made.name == ("plain" if text == "none" else text)
+    assert made.name == text
     assert made.summary.startswith(summary)
-    assert made.summary
-    assert details in made.details
+    assert made.categories == categories
+    assert set(categories) <= set(CATEGORIES)
+    if option is not None:
+        (row,) = (row for row in made.rows if row.name == option.name)
+        assert (row.value, row.default) == (option.value, option.default)
+        changed = [row.value != row.default for row in made.rows]
+        assert changed == sorted(changed, reverse=True)
+
+
+def test_all_styles_have_a_category() -> None:
+    lacking = [name for name in all_styles() if not categories_of(parse_style(name))]
+    assert lacking == ["none"]
+
+
+def test_a_picture_is_described_to_those_who_do_not_see_it() -> None:
+    assert tile_of("none").description == "gears.py without a style"
+    assert tile_of("anime").description.startswith("gears.py in style anime: ")
 
 
 def test_a_tile_of_a_file_shows_the_file_and_of_a_class_its_options(tmp_path: Path) -> None:
     mine = tmp_path / "mine.toml"
     mine.write_text('style = "raskar"  # mine\n')
-    assert (tile_of(str(mine)).summary, tile_of(str(mine)).details) == ("raskar", mine.read_text())
+    assert (tile_of(str(mine)).summary, tile_of(str(mine)).source) == ("raskar", mine.read_text())
     glow = tmp_path / "my_style.py"
     glow.write_text(PAGE.read_text().split("```python\n")[1].split("```")[0])
     made = tile_of(f"{glow}:Glow:ink=#ff0000")
     assert made.summary
-    assert "sharpness" in made.details
+    assert "sharpness" in [row.name for row in made.rows]
 
 
 @given(st.text("ab ", max_size=40), st.integers(1, 12))

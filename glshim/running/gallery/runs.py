@@ -21,7 +21,8 @@ from glshim.running.headless import virtual_screen
 from glshim.running.subjects import surroundings
 from glshim.system.writing import picture_target
 
-AT_ONCE = 2
+MOST_JOBS = 8
+"""Runs at the same time, at most, unless the user asks for more."""
 _FAILURES = ("is switched off", "runs unstyled")
 """What glshim says where a picture would be the program's own in place of the style's."""
 _MARK = "glshim: "
@@ -49,9 +50,10 @@ def run_all(
     runs: Sequence[Run],
     timeout: float,
     done: Callable[[Run], None] = lambda run: None,
+    jobs: int = 1,
 ) -> list[Run]:
     """The runs with what became of them, in their order. command: what follows ``python``;
-    timeout: seconds for each; done: told of each as it ends.
+    timeout: seconds for each; done: told of each as it ends; jobs: runs at the same time.
 
     Raises `EnvironmentFault` where there is no virtual screen or glshim would not be started, and
     `KeyboardInterrupt` once everything is stopped.
@@ -61,9 +63,7 @@ def run_all(
     waiting = list(enumerate(runs))
     ended: dict[int, Run] = {}
     with _terminations(), ExitStack() as stack:
-        free = [
-            stack.enter_context(virtual_screen()) for _ in range(min(AT_ONCE, len(runs)))
-        ]
+        free = [stack.enter_context(virtual_screen()) for _ in range(min(jobs, len(runs)))]
         children: list[_Child] = []
         stack.callback(_kill_all, children)
         while waiting or children:
@@ -79,6 +79,11 @@ def run_all(
                     done(outcome)
             time.sleep(_LOOK_AGAIN)
     return [ended[number] for number in range(len(runs))]
+
+
+def jobs_here() -> int:
+    """Runs at the same time that suit this machine."""
+    return min(os.cpu_count() or 1, MOST_JOBS)
 
 
 class _Child:
