@@ -14,6 +14,7 @@ from collections.abc import Sequence
 
 from glshim.commands.check_style import CheckStyle
 from glshim.commands.command import Command
+from glshim.commands.completion import Completion
 from glshim.commands.doctor import Doctor, version_of
 from glshim.commands.gallery import Gallery
 from glshim.commands.new_style import NewStyle
@@ -25,7 +26,7 @@ from glshim.errors import GlshimError
 from glshim.notices import say
 
 COMMANDS: tuple[Command, ...] = (
-    Run(), View(), Gallery(), Shot(), Styles(), NewStyle(), CheckStyle(), Doctor(),
+    Run(), View(), Gallery(), Shot(), Styles(), NewStyle(), CheckStyle(), Doctor(), Completion(),
 )  # fmt: skip
 """All of them, in the order of the help text."""
 
@@ -64,6 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for command in COMMANDS:
         command.add_to(commands)
+    parser.set_defaults(root=parser)
     return parser
 
 
