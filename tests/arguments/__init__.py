@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import random
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -26,9 +27,21 @@ FLAGS: dict[str, dict[str, Any]] = {
     "images": {"UNSIGNED_BYTE_IMAGES_AS_STRING": False},
     "not accelerated": {"USE_ACCELERATE": False},
     "forward": {"FORWARD_COMPATIBLE_ONLY": True},
-    "annotations": {"MODULE_ANNOTATIONS": True},
+    "annotations": {"MODULE_ANNOTATIONS": True, "TYPE_ANNOTATIONS": True},
+    "formats": {"WARN_ON_FORMAT_UNAVAILABLE": True},
 }
 """Sets of PyOpenGL's flags."""
+MIXED = "mixed "
+"""Begins the name of a set by chance; a number follows."""
+
+
+def flags_of(name: str) -> dict[str, Any]:
+    """By the name of a set, the flags that differ from PyOpenGL's own choice."""
+    if not name.startswith(MIXED):
+        return FLAGS[name]
+    every = {flag: value for flags in FLAGS.values() for flag, value in flags.items()}
+    chance = random.Random(name)
+    return {flag: value for flag, value in every.items() if chance.random() < 0.4}
 
 
 STYLES = ("none", "raskar")
@@ -57,8 +70,9 @@ def differences(plain: Told, styled: Told) -> dict[str, tuple[str | None, str | 
         if came != styled.came.get(at)
     }
     for word in ("Traceback", "by a fault of glshim", "switched off"):
-        if word in styled.said and word not in plain.said:
-            found[word] = (None, styled.said[-2000:])
+        at = styled.said.find(word)
+        if at >= 0 and word not in plain.said:
+            found[word] = (None, json.dumps([styled.said[max(0, at - 500) : at + 4000]]))
     return found
 
 
@@ -77,7 +91,7 @@ def told(
         environment["GLSHIM_STYLE"] = style
     first = 0
     while True:
-        given = json.dumps({"flags": FLAGS[flags], "count": count, "seed": seed, "first": first,
+        given = json.dumps({"flags": flags_of(flags), "count": count, "seed": seed, "first": first,
                             "everything": everything, "handler": handler, "functions": functions,
                             "skipped": skipped, "libraries": libraries,
                             "others": others})  # fmt: skip

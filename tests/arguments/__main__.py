@@ -10,21 +10,20 @@ import sys
 from itertools import zip_longest
 from typing import Any
 
-from tests.arguments import FLAGS, STYLES, differences, told
+from tests.arguments import FLAGS, MIXED, STYLES, differences, told
 
 
 def pairs(one: str | None, other: str | None) -> list[tuple[Any, Any]]:
     """Where what came of a case differs."""
-    if one is None or other is None:
-        return [(one, other)]
-    both = zip_longest(json.loads(one), json.loads(other))
+    both = zip_longest(*(json.loads(each or "[]") for each in (one, other)))
     return [pair for pair in both if pair[0] != pair[1]]
 
 
 def main() -> int:
     """Exit status: whether anything differs."""
     ask = argparse.ArgumentParser(prog="python -m tests.arguments")
-    ask.add_argument("--flags", nargs="+", default=list(FLAGS), choices=FLAGS)
+    ask.add_argument("--flags", nargs="+", default=list(FLAGS), metavar="NAME",
+                     help=f"of {', '.join(FLAGS)}, or by chance: {MIXED}N for any number N")
     ask.add_argument("--styles", nargs="+", default=STYLES)
     ask.add_argument("--count", type=int, default=0, help="so many by chance; else all")
     ask.add_argument("--functions", type=int, default=0, help="of so many by chance; else of all")

@@ -150,11 +150,12 @@ class CLibraries:
         return None
 
     def _nurbs_part(self, role: ShapeRole, call: Call, args: tuple[Any, ...]) -> Any:
+        result = call(*args)
         if self._watcher is not None:
             if role is ShapeRole.NURBS_OPEN:
                 self._surface = []
             self._surface.append((call, args))
-        return call(*args)
+        return result
 
 
 def _contained(name: str, describe: Callable[[], Shape | None]) -> Shape | None:
