@@ -74,7 +74,7 @@ class Loading:
             if isinstance(told, Ready):
                 return told
             name = Path(self.name).name
-            raise told or ModelError(f"{name}: the process that reads it was ended")
+            raise told or ModelError(f"{name}: the process that reads it was killed")
 
     @property
     def ended(self) -> bool:

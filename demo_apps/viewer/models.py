@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..shapes import SHAPES, Floats, Mesh, joined
 
 FILES = (".obj", ".ply", ".stl", ".gltf", ".glb")
+Z_UP = (".stl",)  # printers and CAD programs write them; in the others y points up
 
 
 class ModelError(Exception):
@@ -40,13 +41,18 @@ def check(name: str) -> None:
         raise ModelError(f"{name} is a folder, not a model")
     if not path.is_file():
         if path.suffix.lower() in FILES or len(path.parts) > 1:
-            raise ModelError(f"there is no file {name}")
+            raise ModelError(f"no such file: {name}")
         near = difflib.get_close_matches(name, SHAPES, 2) or list(SHAPES)
-        raise ModelError(f"there is no shape or file named {name!r}; shapes: {', '.join(near)}")
+        raise ModelError(f"no shape or file is named {name!r}; shapes: {', '.join(near)}")
     if path.suffix.lower() not in FILES:
-        raise ModelError(f"{path.name}: only {', '.join(FILES)} files can be read")
+        raise ModelError(f"{path.name} is not a model: give a file in {', '.join(FILES)}")
     if find_spec("trimesh") is None:
-        raise ModelError("reading files needs trimesh: pip install trimesh")
+        raise ModelError("reading model files needs trimesh: pip install trimesh")
+
+
+def up_of(name: str) -> str:
+    """The axis of a model that points up, as far as its format tells."""
+    return "z" if name not in SHAPES and Path(name).suffix.lower() in Z_UP else "y"
 
 
 def load(name: str) -> Model:
@@ -66,9 +72,9 @@ def load_file(path: Path) -> Model:
         raise ModelError(f"{path.name} cannot be read: {reason[0]}") from None
     parts = [part for part in parts if part.mesh.polygons[0].size]
     if not parts:
-        raise ModelError(f"{path.name} holds no polygons")
+        raise ModelError(f"{path.name} contains no polygons")
     if not all(np.isfinite(part.mesh.points).all() for part in parts):
-        raise ModelError(f"{path.name} holds points that are not finite")
+        raise ModelError(f"{path.name} contains points that are not finite")
     plain = [part.mesh for part in parts if part.picture is None]
     pictured = tuple(part for part in parts if part.picture is not None)
     return (*([Part(joined(plain))] if plain else []), *pictured)

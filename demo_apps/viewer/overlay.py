@@ -55,6 +55,16 @@ class Overlay:
         self._box(MARGIN, y, width + 2 * MARGIN, height + 2 * MARGIN, GROUND)
         self._write(text, 2 * MARGIN, y + MARGIN)
 
+    def table(self, text: str) -> None:
+        """A panel of lines that stand in two halves beside each other where the window is low."""
+        _, _, height = self._text(text)
+        lines = text.split("\n")
+        if height + 4 * MARGIN > self._size[1]:
+            half = (len(lines) + 1) // 2
+            pairs = zip_longest(lines[:half], lines[half:], fillvalue="\t")
+            text = "\n".join("\t".join(pair) for pair in pairs)
+        self.panel(text)
+
     def bar(self, text: str, share: float | None) -> None:
         """How far something is, at the foot of the window; None where nobody knows."""
         _, _, height = self._text(text)

@@ -5,10 +5,14 @@ from dataclasses import dataclass, field
 
 from OpenGL import GL, GLU
 
+Colour = tuple[float, float, float]
+BACKGROUND: Colour = (0.90, 0.92, 0.94)
 ANGLE = 35.0  # vertical field of view, degrees
 LIGHTS = ("beside the camera", "at the camera", "fixed to the model", "off")
 SIDES = {"front": (0.0, 0.0), "right": (-90.0, 0.0), "top": (0.0, 90.0)}
 TURN = 30.0  # degrees a second of the turntable
+UPRIGHT = {"x": (90.0, 0.0, 0.0, 1.0), "y": (0.0, 1.0, 0.0, 0.0), "z": (-90.0, 1.0, 0.0, 0.0)}
+"""By the model's axis that points up: an angle and an axis for glRotate."""
 
 
 @dataclass
@@ -22,6 +26,7 @@ class View:
     parallel: bool = False
     turns: bool = False
     light: str = LIGHTS[0]
+    up: str = "y"  # the model's axis
     size: tuple[int, int] = (640, 480)
     grip: tuple[float, float, bool] | None = field(default=None, repr=False)
 
@@ -55,6 +60,10 @@ class View:
         self.azimuth, self.elevation = fresh.azimuth, fresh.elevation
         self.distance, self.aside = fresh.distance, fresh.aside
 
+    def next_up(self) -> None:
+        axes = list(UPRIGHT)
+        self.up = axes[(axes.index(self.up) + 1) % len(axes)]
+
     def next_light(self) -> None:
         self.light = LIGHTS[(LIGHTS.index(self.light) + 1) % len(LIGHTS)]
 
@@ -84,6 +93,7 @@ class View:
         GL.glRotatef(self.azimuth, 0.0, 1.0, 0.0)
         if self.light == "fixed to the model":
             self._place_lights()
+        GL.glRotatef(*UPRIGHT[self.up])
 
     def _place_lights(self) -> None:
         (GL.glDisable if self.light == "off" else GL.glEnable)(GL.GL_LIGHTING)
@@ -95,9 +105,9 @@ class View:
             GL.glLightfv(light, GL.GL_DIFFUSE, (bright, bright, bright, 1.0))
 
 
-def set_up() -> None:
+def set_up(background: Colour = BACKGROUND) -> None:
     """What does not change from frame to frame."""
-    GL.glClearColor(0.90, 0.92, 0.94, 1.0)
+    GL.glClearColor(*background, 1.0)
     GL.glEnable(GL.GL_DEPTH_TEST)
     GL.glEnable(GL.GL_COLOR_MATERIAL)
     GL.glLightModeli(GL.GL_LIGHT_MODEL_TWO_SIDE, GL.GL_TRUE)

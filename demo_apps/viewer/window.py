@@ -13,10 +13,10 @@ from OpenGL import GL
 from ..shapes import SHAPES
 from .lists import Sent
 from .loading import Loading
-from .models import ModelError, load
+from .models import ModelError, load, up_of
 from .overlay import Overlay
 from .prepare import Ready, prepared
-from .view import View, set_up
+from .view import BACKGROUND, Colour, View, set_up
 
 AT_ONCE = 0.5  # seconds that a model may take before the window says so
 SENDING = 0.03  # seconds of each frame that go into sending a model, or one list
@@ -33,9 +33,9 @@ class Key:
     does: Callable[[], Any]
 
 
-STYLE_KEYS = {"cycle": ("F9", "next style"), "back": ("shift+F9", "style before"),
-              "toggle": ("F10", "with and without style"), "save": ("F11", "save a picture"),
-              "overlay": ("F12", "facts about the style")}
+STYLE_KEYS = {"cycle": ("F9", "next style"), "back": ("shift+F9", "previous style"),
+              "toggle": ("F10", "toggle styling"), "save": ("F11", "save picture"),
+              "overlay": ("F12", "style info")}
 """What the restyling that the environment asks for takes up, and by which keys unless it says."""
 
 
@@ -55,19 +55,22 @@ def style_keys(asked: str) -> list[tuple[str, str]]:
 class Window:
     """A glfw window with a model in it."""
 
-    def __init__(self, title: str) -> None:
+    def __init__(self, title: str, up: str | None = None,
+                 background: Colour = BACKGROUND) -> None:
+        """up: the axis of models that points up, x, y or z; None: what their format says."""
         glfw.ERROR_REPORTING = "ignore"  # what goes wrong is told in one line below
         if not glfw.init():
-            raise ModelError("no display to open a window on")
+            raise ModelError("cannot open a window: there is no display")
         self.view = View()
         self.handle = glfw.create_window(*self.view.size, title, None, None)
         if not self.handle:
             glfw.terminate()
-            raise ModelError("no window with OpenGL could be opened")
+            raise ModelError("cannot open a window with OpenGL")
         glfw.make_context_current(self.handle)
         glfw.swap_interval(1)
         self.view.size = glfw.get_framebuffer_size(self.handle)
-        set_up()
+        set_up(background)
+        self.up = up
         self.overlay = Overlay()
         self.sent: Sent | None = None
         self.name = ""
@@ -139,7 +142,9 @@ class Window:
             if self.sent is not None:
                 self.sent.delete()
             self.coming, self.sent, self.name = None, sent, name
+            self.view.up = self.up or up_of(name)
             glfw.set_window_title(self.handle, f"{Path(name).name} (h: help)")
+            os.environ["GLSHIM_NAME"] = Path(name).stem  # for pictures that a key saves
 
     def _forget_what_comes(self) -> None:
         if self.loading is not None:
@@ -160,34 +165,34 @@ class Window:
     def _table(self) -> tuple[Key, ...]:
         view = self.view
         return (
-            Key(("H", "F1"), "h, F1", "this help", lambda: self._turn("helps")),
-            Key(("I",), "i", "facts about the model", lambda: self._turn("facts")),
-            Key(("W",), "w", "wire frame", lambda: self._turn("wires")),
+            Key(("H", "F1"), "h, F1", "help", lambda: self._turn("helps")),
+            Key(("I",), "i", "model info", lambda: self._turn("facts")),
+            Key(("W",), "w", "wireframe", lambda: self._turn("wires")),
             Key(("T", "SPACE"), "t, space", "turntable", lambda: self._turn("turns", view)),
             Key(("P",), "p", "perspective or parallel", lambda: self._turn("parallel", view)),
             Key(("A",), "a", "axes", lambda: self._turn("axes")),
+            Key(("U",), "u", "next up axis", view.next_up),
             Key(("L",), "l", "next light", view.next_light),
             Key(("N", "PAGE_DOWN"), "n, page down", "next shape", lambda: self.step_shapes(1)),
-            Key(("B", "PAGE_UP"), "b, page up", "shape before", lambda: self.step_shapes(-1)),
-            Key(("1",), "1, 2, 3", "from the front, the right, the top",
-                lambda: view.look_from("front")),
+            Key(("B", "PAGE_UP"), "b, page up", "previous shape", lambda: self.step_shapes(-1)),
+            Key(("1",), "1, 2, 3", "front, right, top view", lambda: view.look_from("front")),
             Key(("2",), "", "", lambda: view.look_from("right")),
             Key(("3",), "", "", lambda: view.look_from("top")),
             Key(("LEFT",), "arrows", "orbit", lambda: view.orbit(-5.0, 0.0)),
             Key(("RIGHT",), "", "", lambda: view.orbit(5.0, 0.0)),
             Key(("UP",), "", "", lambda: view.orbit(0.0, -5.0)),
             Key(("DOWN",), "", "", lambda: view.orbit(0.0, 5.0)),
-            Key(("EQUAL", "KP_ADD"), "+, -", "nearer, farther", lambda: view.zoom(1)),
+            Key(("EQUAL", "KP_ADD"), "+, -", "zoom in, out", lambda: view.zoom(1)),
             Key(("MINUS", "KP_SUBTRACT"), "", "", lambda: view.zoom(-1)),
-            Key(("R",), "r", "the view as it was", view.reset),
-            Key(("ESCAPE",), "ESC", "leave", lambda: glfw.set_window_should_close(self.handle, 1)),
+            Key(("R",), "r", "reset view", view.reset),
+            Key(("ESCAPE",), "ESC", "quit", lambda: glfw.set_window_should_close(self.handle, 1)),
         )
 
     def help(self) -> str:
         """The keys, a line each, and the mouse."""
         rows = [(key.shown, key.help) for key in self.keys if key.shown]
-        rows += [("drag", "orbit"), ("right or middle drag", "move"), ("wheel", "nearer, farther"),
-                 ("drop a file", "show it")]
+        rows += [("drag", "orbit"), ("right drag", "pan"), ("wheel", "zoom in, out"),
+                 ("drop a file", "open it")]
         rows += style_keys(os.environ.get("GLSHIM_KEYS", ""))
         return "\n".join(f"{shown}\t{does}" for shown, does in rows)
 
@@ -199,7 +204,7 @@ class Window:
         size = " x ".join(f"{side:.4g}" for side in model.size)
         projection = "parallel" if self.view.parallel else "perspective"
         return (f"{Path(self.name).name}\n{model.triangles:,} triangles\n{size}\n"
-                f"{projection}, light {self.view.light}")
+                f"{projection}, {self.view.up} up, light {self.view.light}")
 
     def _turn(self, switch: str, of: Any = None) -> None:
         owner = self if of is None else of
@@ -255,7 +260,7 @@ class Window:
         modelview = GL.glGetDoublev(GL.GL_MODELVIEW_MATRIX).T
         with self.overlay.over(self.view.size):
             if self.helps:
-                self.overlay.panel(self.help())
+                self.overlay.table(self.help())
             elif self.facts:
                 self.overlay.panel(self.about())
             if self.axes:

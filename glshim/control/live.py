@@ -22,7 +22,9 @@ from glshim.styling.descriptions import changed_options
 from glshim.styling.protocol import Styler
 
 _PLAIN = "none"
-_LABELS = {"cycle": "style", "back": "back", "toggle": "on/off", "save": "PNG", "overlay": "hide"}
+_LABELS = {
+    "cycle": "next", "back": "previous", "toggle": "on/off", "save": "save PNG", "overlay": "hide",
+}  # fmt: skip
 
 
 class Controls:
@@ -166,8 +168,12 @@ class Controls:
         drawing, counted = pipeline.current(), pipeline.counted()
         title = self._name
         if drawing is not None:
+            text = self._text_of(drawing)
             if drawing.name != title:
                 title = f"{title} ({drawing.name})"
+            if text in self._styles:
+                number = self._styles.index(text) + 1
+                title = f"{number}/{len(self._styles)}  {title}"
             title = " ".join((title, *changed_options(drawing)))
         numbers = f"{self._clock.seconds * 1e3:.1f} ms, {1.0 / self._clock.seconds:.0f} fps"
         if drawing is not None:

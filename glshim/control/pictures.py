@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from itertools import count
@@ -14,6 +15,9 @@ from glshim.system.reading import has_elevated_rights
 from glshim.system.writing import add_picture
 from glshim.toolkits import frames
 
+NAME = "GLSHIM_NAME"
+"""The variable that pictures are named after. Read anew for each: a viewer may set it to what it
+shows."""
 _MOST_NAME = 200
 """Characters of a name before its number."""
 
@@ -23,18 +27,17 @@ class Pictures:
 
     def __init__(self, folder: str) -> None:
         self._folder = Path(folder)
-        self._program = program_name()
 
     def save(self, style: str) -> None:
         """The frame that is about to be presented, as
-        ``glshim-PROGRAM-STYLE-NNN.png``; a line says where, or why not."""
+        ``glshim-NAME-STYLE-NNN.png``; a line says where, or why not."""
         if has_elevated_rights():
             say_once("no pictures are saved in a setuid or setgid program")
             return
         size = frames.drawable_size()
         if size is not None and 0 in size:
             return
-        name = f"glshim-{self._program}-{_word(style)}"[:_MOST_NAME]
+        name = f"glshim-{_subject()}-{_word(style)}"[:_MOST_NAME]
         try:
             self._folder.mkdir(parents=True, exist_ok=True)
             picture = grab(size, frames.drawable_framebuffer())
@@ -49,6 +52,10 @@ class Pictures:
         except OSError as error:
             folder, reason = shown(self._folder, 500), error.strerror or error
             say(f"cannot save a picture in {folder}: {reason}")
+
+
+def _subject() -> str:
+    return _word(os.environ.get(NAME, "").strip() or program_name())
 
 
 def program_name() -> str:

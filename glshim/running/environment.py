@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from glshim.control.keys import KEYS, LiveSettings, parse_keys, parse_styles
+from glshim.control.pictures import NAME
 from glshim.errors import StyleError, shown
 from glshim.styling.texts import anchored
 
@@ -84,6 +85,10 @@ def _style(text: str, folder: str) -> str:
     return anchored(text.strip(), folder)
 
 
+def _text(text: str, folder: str) -> str:
+    return text.strip()
+
+
 def _folder(text: str, folder: str) -> str:
     return os.path.abspath(os.path.join(folder, os.path.expanduser(text)))
 
@@ -116,6 +121,8 @@ VARIABLES = (
     Variable(STYLES, "A,B", "the row of styles that keys go through", parse_styles,
              "the keys go through all styles", needs=KEYS),
     Variable(SAVE, "FOLDER", "where keys write PNGs", _folder, needs=KEYS),
+    Variable(NAME, "NAME", "what these PNGs are named after in place of the program", _text,
+             needs=KEYS),
 )  # fmt: skip
 """All of them. Those that need no other are named in ``_glshim_start.py`` and ``glshim.pth``, too,
 which import nothing."""

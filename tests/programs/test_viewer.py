@@ -94,17 +94,17 @@ def test_the_parts_of_a_scene_stand_where_they_are_placed(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize(("name", "content", "says"), [
     ("tours", None, "shapes: torus"),
-    ("nothing.obj", None, "there is no file"),
-    ("model.txt", "x", "only .obj"),
-    ("empty.obj", "", "holds no polygons"),
+    ("nothing.obj", None, "no such file"),
+    ("model.txt", "x", "is not a model: give a file in .obj"),
+    ("empty.obj", "", "contains no polygons"),
     ("bad.glb", "garbage", "cannot be read"),
     ("bad.ply", "ply", "cannot be read"),
-    ("bad.stl", "solid", "holds no polygons"),
+    ("bad.stl", "solid", "contains no polygons"),
 ])
 def test_what_cannot_be_shown_is_said_in_one_line(  # noqa: PLR0917
         name: str, content: str | None, says: str, tmp_path: Path,
         monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    if says in ("cannot be read", "holds no polygons"):
+    if says in ("cannot be read", "contains no polygons"):
         pytest.importorskip("trimesh")
     monkeypatch.chdir(tmp_path)
     if content is not None:
@@ -187,7 +187,8 @@ def ball(tmp_path: Path) -> Callable[[str], str]:
 
 
 @pytest.fixture
-def window() -> Iterator[Window]:
+def window(monkeypatch: pytest.MonkeyPatch) -> Iterator[Window]:
+    monkeypatch.setenv("GLSHIM_NAME", "")  # which it sets
     made = Window("test")
     yield made
     made.close()
@@ -245,13 +246,13 @@ def test_a_bad_file_is_said_in_the_window_and_the_model_stays(
     (tmp_path / "bad.stl").write_text("solid")
     window.drop([str(tmp_path / "bad.stl")])
     said = until_shown(window)[-1]
-    assert window.message == "bad.stl holds no polygons"
+    assert window.message == "bad.stl contains no polygons"
     assert window.name == "cube"
     rows = np.flatnonzero((said != plain).any(axis=(1, 2)))
     assert len(rows) and rows.min() > 400  # at the foot of the window
-    assert capsys.readouterr().out == "viewer: bad.stl holds no polygons\n"
+    assert capsys.readouterr().out == "viewer: bad.stl contains no polygons\n"
     window.drop([str(tmp_path / "gone.stl")])
-    assert "there is no file" in window.message
+    assert "no such file" in window.message
     window.open("torus")
     assert window.message == ""
 
@@ -297,9 +298,9 @@ def test_every_key_does_what_its_help_says(window: Window) -> None:
         key.does()
         return picture(window)
 
-    for name in ("W", "P", "L", "A", "I", "H"):
+    for name in ("W", "P", "L", "A", "I", "H", "U"):
         assert (press(name) != plain).any(), name
-        for _ in range(3 if name == "L" else 1):
+        for _ in range({"L": 3, "U": 2}.get(name, 1)):
             again = press(name)
         assert (again == plain).all(), name
     for name in ("1", "2", "3", "LEFT", "RIGHT", "UP", "DOWN", "EQUAL", "MINUS"):
@@ -312,7 +313,53 @@ def test_every_key_does_what_its_help_says(window: Window) -> None:
         assert window.name != before
     press("T")
     assert (picture(window) != picture(window)).any()
-    assert set("hiwtpalnbr") <= set(window.help().replace(", ", "\n").replace("\t", "\n").split())
+    assert set("hiwtpaulnbr") <= set(window.help().replace(", ", "\n").replace("\t", "\n").split())
+
+
+def test_the_help_leaves_a_margin_in_a_window_of_its_first_size(
+        window: Window, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GLSHIM_KEYS", "on")
+    window.open("cube")
+    plain = picture(window)
+    window.helps = True
+    rows, columns = np.nonzero((picture(window) != plain).any(axis=2))
+    height, width = plain.shape[:2]
+    assert rows.min() >= 8
+    assert rows.max() < height - 8
+    assert columns.max() < width - 8
+
+
+@pytest.mark.parametrize(("suffix", "asked", "stands"), [
+    ("stl", None, True), ("glb", None, False), ("stl", "y", False), ("glb", "z", True)])
+def test_the_axis_that_points_up(
+        tmp_path: Path, suffix: str, asked: str | None, stands: bool,
+        monkeypatch: pytest.MonkeyPatch) -> None:
+    """A pole along z, upright or lying; its measures stay those of the file."""
+    monkeypatch.setenv("GLSHIM_NAME", "")  # which a window sets
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box((1, 1, 8)).export(tmp_path / f"pole.{suffix}")
+    window = Window("test", up=asked, background=(1.0, 0.0, 0.0))
+    try:
+        window.open(str(tmp_path / f"pole.{suffix}"))
+        window.view.look_from("right")
+        shown = until_shown(window)[-1]
+        assert window.sent is not None
+        assert window.sent.model.size == (1.0, 1.0, 8.0)
+    finally:
+        window.close()
+    assert tuple(shown[2, 2]) == (255, 0, 0)
+    rows, columns = np.nonzero((shown != (255, 0, 0)).any(axis=2))
+    assert (np.ptp(rows) > np.ptp(columns)) == stands
+
+
+def test_saved_pictures_are_named_after_the_model(window: Window, tmp_path: Path) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    trimesh.creation.box().export(tmp_path / "small box.stl")
+    window.open("cube")
+    assert os.environ["GLSHIM_NAME"] == "cube"
+    window.drop([str(tmp_path / "small box.stl")])
+    until_shown(window)
+    assert os.environ["GLSHIM_NAME"] == "small box"
 
 
 def test_a_drag_with_the_right_button_moves_the_model(window: Window) -> None:

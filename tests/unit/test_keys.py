@@ -187,11 +187,33 @@ def test_a_style_that_cannot_be_read_is_passed_over(
     assert after(nothing, stage, "F9") == "none"
 
 
+def test_the_panel_says_which_style_of_how_many_is_on(tmp_path: Path, stage: Stage) -> None:
+    made = controls(tmp_path, "raskar,fins:ink=#ff0000,crease")
+    assert made._lines()[0] == "none"
+    after(made, stage, "F9", "F9")
+    assert made._lines()[0] == "2/3  fins ink=#ff0000"
+    assert "F9 next   shift+F9 previous   F10 on/off   F11 save PNG   F12 hide" in made._lines()[2]
+
+
+def test_pictures_are_named_after_what_a_viewer_shows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pictures, "grab", lambda *_: Image.new("RGB", (2, 2)))
+    writer = pictures.Pictures(str(tmp_path))
+    for name in ("bunny", "../small box"):
+        monkeypatch.setenv("GLSHIM_NAME", name)
+        writer.save("raskar")
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "glshim-bunny-raskar-001.png", "glshim-small_box-raskar-001.png"
+    }
+
+
 def test_a_picture_never_replaces_another(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     picture = Image.fromarray(np.full((2, 3, 3), 7, np.uint8))
     monkeypatch.setattr(pictures, "grab", lambda *_: picture)
+    monkeypatch.delenv("GLSHIM_NAME", raising=False)
     monkeypatch.setattr(pictures, "program_name", lambda: "app")
     (tmp_path / "glshim-app-a_b-002.png").write_text("kept")
     writer = pictures.Pictures(str(tmp_path / "new" / ".."))
