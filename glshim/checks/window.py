@@ -21,6 +21,7 @@ from glshim.checks.values import draws_of, shader_of, variants
 from glshim.errors import EnvironmentFault, RenderError
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
+from glshim.running import headless
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
 _FRAMES = 12
@@ -29,6 +30,7 @@ _FRAMES = 12
 @contextmanager
 def window() -> Iterator[Any]:
     """A hidden window with a current context. Raises `EnvironmentFault` where there is none."""
+    headless.prepare()
     glfw.ERROR_REPORTING = "ignore"
     if not glfw.init():
         raise EnvironmentFault("there is no display to open a window on: use --headless")

@@ -11,7 +11,7 @@ from typing import ClassVar
 
 from glshim.commands.command import Command
 from glshim.running import launch
-from glshim.running.headless import virtual_screen
+from glshim.running.headless import headless_environment
 
 
 class CheckStyle(Command):
@@ -29,7 +29,7 @@ class CheckStyle(Command):
     def run(self, asked: argparse.Namespace) -> int:
         """Print what holds and what does not. Raises `EnvironmentFault`."""
         python = [sys.executable, *launch.interpreter_flags()]
-        with virtual_screen() if asked.headless else nullcontext(dict(os.environ)) as environ:
+        with headless_environment() if asked.headless else nullcontext(dict(os.environ)) as environ:
             plain = {key: value for key, value in environ.items() if not key.startswith("GLSHIM_")}
             # In a process of its own: a shader or a draw may take it down.
             status = _printed([*python, "-m", "glshim.checks", asked.style], plain)

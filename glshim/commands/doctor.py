@@ -17,7 +17,7 @@ from glshim.commands.command import Command
 from glshim.driver.context import UNAVAILABLE
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import environment, launch, probe, startup_cost
-from glshim.running.headless import virtual_screen
+from glshim.running.headless import headless_environment
 from glshim.styling import registry, texts
 from glshim.toolkits import Part
 
@@ -126,7 +126,7 @@ def _context(headless: bool, troubles: list[str]) -> None:
     _heading("OpenGL" + (" on a virtual screen" if headless else ""))
     try:
         if headless:
-            with virtual_screen() as environ:
+            with headless_environment() as environ:
                 found = probe.ask(environ)
         else:
             found = probe.ask(os.environ)

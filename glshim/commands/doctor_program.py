@@ -15,7 +15,7 @@ from glshim.errors import EnvironmentFault
 from glshim.running import environment
 from glshim.running.examine import Examined
 from glshim.running.examine import examine as run
-from glshim.running.headless import virtual_screen
+from glshim.running.headless import headless_environment
 
 _FRAMES, _SECONDS = 30, 30.0
 _MOST_NAMES = 4
@@ -57,7 +57,7 @@ def examine(asked: argparse.Namespace) -> int:
     if not asked.timeout > 0:
         raise EnvironmentFault("--timeout is greater than zero")
     style = style_asked(asked.style)[1]
-    with virtual_screen() if asked.headless else nullcontext(dict(os.environ)) as environ:
+    with headless_environment() if asked.headless else nullcontext(dict(os.environ)) as environ:
         found = run(
             command, style, frames=frames, seconds=asked.timeout, environ=environ,
             to_stderr=asked.json,

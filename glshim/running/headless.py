@@ -1,4 +1,4 @@
-"""A virtual screen of our own: Xvfb, started on a free display and stopped again."""
+"""A virtual screen of our own, Xvfb, started on a free display and stopped again; or no screen."""
 
 from __future__ import annotations
 
@@ -10,14 +10,55 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
+from glshim import toolkits
 from glshim.errors import EnvironmentFault
+from glshim.notices import say_once
+from glshim.running.startup import DISPLAYLESS
+from glshim.toolkits import Part
 
+_INSTALL = (
+    "apt-get install xvfb libgl1-mesa-dri (Debian, Ubuntu) or dnf install xorg-x11-server-Xvfb "
+    "mesa-dri-drivers (Fedora)"
+)
+_DISPLAYS = ("DISPLAY", "WAYLAND_DISPLAY")
 SCREEN = "1280x1024x24"
 _SECONDS_TO_START = 20.0
 PR_SET_PDEATHSIG = 1
 """From linux/prctl.h: the signal that a process gets when its parent dies."""
+
+
+@contextmanager
+def headless_environment() -> Iterator[dict[str, str]]:
+    """The environment of a program on a `virtual_screen`. Where there is no Xvfb, one in which some
+    toolkits draw without any screen, which is said in one line. Raises `EnvironmentFault`."""
+    if shutil.which("Xvfb") is not None or not _has_egl():
+        with virtual_screen() as environ:
+            yield environ
+        return
+    able = [toolkit for toolkit in toolkits.used() if toolkit.displayless is not None]
+    windows = ", ".join(toolkit.name for toolkit in able if toolkit.package != "OpenGL")
+    say_once(
+        f"Xvfb is not installed: running without a screen, through EGL. That works for {windows} "
+        f"and programs without a window; other toolkits need Xvfb: {_INSTALL}"
+    )
+    plain = {name: text for name, text in os.environ.items() if name not in _DISPLAYS}
+    ours = {name: text for each in able for name, text in (each.displayless or {}).items()}
+    yield {**plain, **ours, "PYOPENGL_PLATFORM": "egl", DISPLAYLESS: "1"}
+
+
+def prepare() -> None:
+    """In a process of ours that opens windows by itself: as such an environment asks for."""
+    if DISPLAYLESS in os.environ:
+        toolkits.watch(Part.DISPLAYLESS)
+
+
+def _has_egl() -> bool:
+    with suppress(OSError):
+        ctypes.CDLL("libEGL.so.1")
+        return True
+    return False
 
 
 @contextmanager
@@ -30,10 +71,7 @@ def virtual_screen(screen: str = SCREEN) -> Iterator[dict[str, str]]:
     """
     program = shutil.which("Xvfb")
     if program is None:
-        raise EnvironmentFault(
-            "--headless needs Xvfb, which is not installed: apt-get install xvfb libgl1-mesa-dri "
-            "(Debian, Ubuntu) or dnf install xorg-x11-server-Xvfb mesa-dri-drivers (Fedora)"
-        )
+        raise EnvironmentFault(f"--headless needs Xvfb, which is not installed: {_INSTALL}")
     reader, writer = os.pipe()
     # -displayfd: Xvfb picks a free display and writes its number when it is ready.
     # -noreset: it stays when a program closes its last window to open another.

@@ -19,7 +19,7 @@ from types import FrameType
 from typing import NoReturn
 
 from glshim.errors import EnvironmentFault
-from glshim.running.headless import virtual_screen
+from glshim.running.headless import headless_environment
 
 STARTUP_FILE = "glshim.pth"
 
@@ -33,7 +33,7 @@ def run(program: Sequence[str], variables: Mapping[str, str], *, headless: bool)
     require_startup_file()
     command = [sys.executable, *interpreter_flags(), *program]
     if headless:
-        with virtual_screen() as environ:
+        with headless_environment() as environ:
             status = _wait_for(command, environ | dict(variables))
         return _leave_like(status)
     environ = {**os.environ, **variables}

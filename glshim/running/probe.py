@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass
 from glshim.driver.ask import integer, text
 from glshim.driver.context import MODERN, shortcoming
 from glshim.errors import EnvironmentFault
+from glshim.running import headless
 from glshim.spec.constants import (
     GL_CONTEXT_PROFILE_MASK,
     GL_DEPTH_BITS,
@@ -82,6 +83,7 @@ def probe() -> Probe:
     """Open a hidden window and ask. Raises `OSError` where there is none to be had."""
     import glfw
 
+    headless.prepare()
     glfw.ERROR_REPORTING = "ignore"
     if not glfw.init():
         raise OSError("no display to open a window on")

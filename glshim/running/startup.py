@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 # flags (ERROR_CHECKING, ...), and the platform is known.
 PYOPENGL = "OpenGL.error"
 KEYS = "GLSHIM_KEYS"
+DISPLAYLESS = "_GLSHIM_DISPLAYLESS"
+"""Set by us for programs that we start where there is no screen; never by people."""
 
 _armed = False
 _folder = ""
@@ -55,6 +57,8 @@ def _watch_toolkit(module: "ModuleType") -> None:
         from glshim.toolkits import Part, watch_package
 
     parts = [Part.FRAMES]
+    if DISPLAYLESS in os.environ:  # the first: others hook what it puts in place
+        parts.insert(0, Part.DISPLAYLESS)
     if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
         parts.append(Part.KEYS)
     watch_package(module.__name__, *parts)

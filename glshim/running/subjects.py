@@ -12,6 +12,7 @@ from pathlib import Path
 from glshim.errors import EnvironmentFault, StyleError
 from glshim.running import stillness
 from glshim.running.environment import parse_frames
+from glshim.running.startup import DISPLAYLESS
 from glshim.styling import texts
 
 VIEWER = "glshim_demos.viewer"
@@ -79,14 +80,14 @@ def style_variable(text: str) -> str:
 
 
 def surroundings(environ: Mapping[str, str]) -> dict[str, str]:
-    """An environment on a virtual screen, for a run whose picture can be compared with others':
-    clocks and luck stand still, toolkits take that screen and make no sound."""
+    """An environment on a virtual screen, or without one, for a run whose picture can be compared
+    with others': clocks and luck stand still, toolkits take that screen and make no sound."""
+    screen = {} if DISPLAYLESS in environ else {"QT_QPA_PLATFORM": "xcb", "SDL_VIDEODRIVER": "x11"}
     return {
         **{name: text for name, text in environ.items() if not name.startswith("GLSHIM_")},
         stillness.VARIABLE: "1",
         "PYTHONHASHSEED": "0",
-        "QT_QPA_PLATFORM": "xcb",
-        "SDL_VIDEODRIVER": "x11",
+        **screen,
         "SDL_AUDIODRIVER": "dummy",
         "PYGAME_HIDE_SUPPORT_PROMPT": "1",
     }

@@ -31,6 +31,7 @@ class Part(Enum):
     KEYS = "keys"
     REDRAW = "redraw"
     CLOCK = "still clock"
+    DISPLAYLESS = "no display"
 
 
 Lacks = Mapping[Part, str]
@@ -100,6 +101,9 @@ class Toolkit:
     tested: str = ""
     """What glshim was tried with, for people: ``PySDL2 0.9.17 on X``. Empty where nobody of ours
     could run it, which `glshim doctor` says."""
+    displayless: ClassVar[Mapping[str, str] | None] = None
+    """Variables under which it draws where there is no display, besides hooks of that part; None:
+    it needs one."""
     example: bool = False
     """Whether it is there to be read and tested, and not for use."""
 

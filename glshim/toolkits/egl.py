@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
 from glshim.toolkits import frames
@@ -18,6 +18,7 @@ class Egl(Toolkit):
 
     name, package, distribution = "EGL", "OpenGL", "PyOpenGL"
     tested = "Mesa 22.3: windows of X, pbuffers, no surface at all"
+    displayless: ClassVar[Mapping[str, str] | None] = {}
     lacks: ClassVar[Lacks] = {
         Part.KEYS: "live control hears no key",
         Part.REDRAW: "a program that draws on demand shows a new style with its next frame",

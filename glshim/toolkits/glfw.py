@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import functools
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, ClassVar
 
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Part, Toolkit
@@ -30,12 +30,14 @@ class Glfw(Toolkit):
 
     name = package = "glfw"
     hears_threads = True
-    tested = "glfw 2.11 on X and Wayland"
+    tested = "glfw 2.11 on X and Wayland, and without a display"
+    displayless: ClassVar[Mapping[str, str] | None] = {}
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "glfw", self.hook_swaps, "glfw.swap_buffers")
         yield Hook(Part.KEYS, "glfw", self.hook_keys, "glfw.set_key_callback")
         yield Hook(Part.CLOCK, "glfw", self.hold_clock, "glfw.get_time")
+        yield Hook(Part.DISPLAYLESS, "glfw", self.hook_windows, "glfw.create_window")
 
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)
@@ -106,6 +108,12 @@ class Glfw(Toolkit):
 
         changes.set(library, "glfwCreateWindow", create_window)
         changes.set(library, "glfwSetKeyCallback", set_key_callback)
+
+    def hook_windows(self, module: Any, changes: Changes) -> None:
+        """Windows that nobody sees, with contexts of EGL."""
+        from glshim.toolkits.glfw_displayless import Displayless
+
+        Displayless(module._glfw, changes)
 
     def hold_clock(self, module: Any, changes: Changes) -> None:
         """`glfw.get_time` shows the moment."""

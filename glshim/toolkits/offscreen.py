@@ -7,7 +7,7 @@ one is begun. What is read for picking is none, and of one frame there may be se
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, ClassVar
 
 from glshim.bindings.pyopengl.pictures import stand_around
@@ -38,6 +38,7 @@ class Offscreen(Toolkit):
 
     name, package, distribution = "no window", "OpenGL", "PyOpenGL"
     tested = "EGL without a surface and with pbuffers, OSMesa, hidden windows; Mesa 22.3"
+    displayless: ClassVar[Mapping[str, str] | None] = {}
     lacks: ClassVar[Lacks] = {
         Part.SIZE: "what is read back, or the viewport, counts as the picture",
         Part.KEYS: "live control hears no key",

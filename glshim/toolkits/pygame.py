@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import functools
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
-from typing import Any
+from types import MappingProxyType
+from typing import Any, ClassVar
 
 from glshim.toolkits import frames, keyboard
 from glshim.toolkits.base import Changes, Hook, Part, Toolkit
@@ -26,7 +27,10 @@ class Pygame(Toolkit):
 
     name = package = "pygame"
     hears_threads = True
-    tested = "pygame 2.6 on X and Wayland"
+    tested = "pygame 2.6 on X and Wayland, and without a display"
+    displayless: ClassVar[Mapping[str, str] | None] = MappingProxyType(
+        {"SDL_VIDEODRIVER": "offscreen"}
+    )
 
     def hooks(self) -> Iterable[Hook]:
         yield Hook(Part.FRAMES, "pygame.display", self.hook_presents, "pygame.display.flip")

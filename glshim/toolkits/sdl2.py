@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Iterable
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from types import MappingProxyType
+from typing import Any, ClassVar
 
 from glshim.bindings.pyopengl.raw import hook_function, original_call
 from glshim.system.interrupts import Held
@@ -41,7 +42,10 @@ class Sdl2(Toolkit):
 
     name, package, distribution = "SDL2", "sdl2", "PySDL2"
     hears_threads = True
-    tested = "PySDL2 0.9.17 on X"
+    tested = "PySDL2 0.9.17 on X, and without a display"
+    displayless: ClassVar[Mapping[str, str] | None] = MappingProxyType(
+        {"SDL_VIDEODRIVER": "offscreen"}
+    )
 
     def __init__(self, moment: Moment = MOMENT) -> None:
         super().__init__(moment)

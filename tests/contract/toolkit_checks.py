@@ -58,6 +58,7 @@ def lacking(toolkit: Toolkit) -> set[Part]:
     kind = type(toolkit)
     hooked = {hook.part for hook in toolkit.hooks()}
     own = {Part.SIZE: kind.size is not Toolkit.size, Part.REDRAW: kind.redraw is not Toolkit.redraw}
+    own[Part.DISPLAYLESS] = True  # said by `displayless`
     return {part for part in Part if not own.get(part, part in hooked)}
 
 
@@ -180,6 +181,8 @@ def the_clock_stands_still(rig: Rig) -> None:
 def what_is_lacking_is_declared(rig: Rig) -> None:
     assert set(rig.toolkit.lacks) == lacking(rig.toolkit)
     assert all(rig.toolkit.lacks.values())
+    if any(hook.part is Part.DISPLAYLESS for hook in rig.toolkit.hooks()):
+        assert rig.toolkit.displayless is not None
 
 
 CHECKS: tuple[Callable[[Rig], None], ...] = (

@@ -17,7 +17,7 @@ from typing import IO
 
 from glshim.errors import EnvironmentFault
 from glshim.running import environment, launch
-from glshim.running.headless import virtual_screen
+from glshim.running.headless import headless_environment
 from glshim.running.subjects import surroundings
 from glshim.system.writing import picture_target
 
@@ -63,7 +63,7 @@ def run_all(
     waiting = list(enumerate(runs))
     ended: dict[int, Run] = {}
     with _terminations(), ExitStack() as stack:
-        free = [stack.enter_context(virtual_screen()) for _ in range(min(jobs, len(runs)))]
+        free = [stack.enter_context(headless_environment()) for _ in range(min(jobs, len(runs)))]
         children: list[_Child] = []
         stack.callback(_kill_all, children)
         while waiting or children:
