@@ -54,6 +54,7 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.media.hand import hand as hand
     from glshim.styling.media.hand import outlines as outlines
     from glshim.styling.media.hand import pencil as pencil
+    from glshim.styling.media.hand import pictured as pictured
     from glshim.styling.media.hand import reseeded as reseeded
     from glshim.styling.media.ink import STROKE as STROKE
     from glshim.styling.media.ink import TRACE as TRACE
@@ -77,9 +78,12 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.styling.pictures import is_coloured as is_coloured
     from glshim.styling.pictures import read_image as read_image
     from glshim.styling.protocol import Styler as Styler
+    from glshim.styling.renamed import Renamed as Renamed
+    from glshim.styling.renamed import takes_old_names as takes_old_names
     from glshim.styling.screen import SCREEN as SCREEN
     from glshim.styling.texts import parse_style as parse_style
     from glshim.styling.textures import MADE as MADE
+    from glshim.styling.textures import TEXTURES as TEXTURES
     from glshim.styling.textures import made as made
     from glshim.styling.textures.brushes import BRUSHES as BRUSHES
     from glshim.styling.textures.fields import Doubles as Doubles
@@ -110,16 +114,17 @@ _HOMES = {
     "glshim.styling.fixed": "BackFaces",
     "glshim.styling.glsl": "glsl",
     "glshim.styling.lines": "Draw Expansion Lines Medium Shader",
-    "glshim.styling.media.hand": "brush hand outlines pencil reseeded",
+    "glshim.styling.media.hand": "brush hand outlines pencil pictured reseeded",
     "glshim.styling.media.ink": "dashes Hidden ink STROKE TRACE",
     "glshim.styling.options": "Option option options_of",
     "glshim.styling.passes": "Actions bodies HEADLIGHT MeshShader Pass "
         "Primitives Sieve State Stencil Weld",
     "glshim.styling.pictures": "Image is_coloured read_image",
     "glshim.styling.protocol": "Styler",
+    "glshim.styling.renamed": "Renamed takes_old_names",
     "glshim.styling.screen": "SCREEN",
     "glshim.styling.texts": "parse_style",
-    "glshim.styling.textures": "MADE made",
+    "glshim.styling.textures": "MADE made TEXTURES",
     "glshim.styling.textures.brushes": "BRUSHES",
     "glshim.styling.textures.fields": "Doubles even noise",
     "glshim.styling.values": "Body Colour Layer Place Uniform",

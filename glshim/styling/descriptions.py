@@ -3,32 +3,62 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from pathlib import Path
 
 from glshim.errors import StyleError
 from glshim.styling import registry
 from glshim.styling.composite import Composite
-from glshim.styling.options import options_of
+from glshim.styling.options import Option, options_of
 from glshim.styling.protocol import Styler
 from glshim.styling.registry import FILE
 from glshim.styling.stylefiles import read_text
 from glshim.styling.texts import load_style, name_of, parse_style, parts_of
 
+_WIDTH = 100
+"""Characters of a line, at most."""
+
 
 def of_styler(styler: type[Styler]) -> str:
-    """A style: its first line of documentation and a line for each option."""
+    """A style: its first line of documentation, and its options with defaults and ranges. Those
+    that several kinds of lines have of their own share a row."""
     summary = (styler.__doc__ or "").strip().splitlines()
     lines = [f"{styler.name}: {summary[0]}" if summary else styler.name]
     options = options_of(styler)
-    widths = [
-        max((len(text) for text in column), default=0)
-        for column in zip(*((o.name, o.show(o.default), o.allowed) for o in options), strict=True)
+    kinds = {option.name: _kind(option) for option in options}
+    rows = [
+        (option.name, option.show(option.default), f"{option.help} [{option.allowed}]")
+        for option in options
+        if not kinds[option.name]
     ]
+    wide, deep = (max((len(row[k]) for row in rows), default=0) for k in (0, 1))
+    for name, default, text in rows:
+        lines += _row(f"{name:{wide}}  {default:{deep}}", text)
+    parts: dict[str, list[str]] = {}
     for option in options:
-        cells = (option.name, option.show(option.default), option.allowed)
-        padded = (cell.ljust(width) for cell, width in zip(cells, widths, strict=True))
-        lines.append(f"  {'  '.join(padded)}  {option.help}")
+        if kinds[option.name]:
+            parts.setdefault(kinds[option.name], []).append(option.follows)
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for kind, own in parts.items():
+        alike.setdefault(tuple(own), []).append(kind)
+    for shared, some in alike.items():
+        names = ", ".join(f"KIND_{part}" for part in shared)
+        lines += _row(names, f"of one kind of lines: {', '.join(some)} (auto: as of all lines)")
     return "\n".join(lines)
+
+
+def _kind(option: Option) -> str:
+    """The kind of lines whose own option this is, empty where it is that of no kind."""
+    ending = f"_{option.follows}"
+    return option.name.removesuffix(ending) if option.name.endswith(ending) else ""
+
+
+def _row(begins: str, text: str) -> list[str]:
+    """A row, gone on with below where it is long."""
+    return textwrap.wrap(
+        text, _WIDTH, initial_indent=f"  {begins}  ", subsequent_indent=" " * (len(begins) + 4),
+        break_long_words=False,
+    )  # fmt: skip
 
 
 def of_look(name: str) -> str:

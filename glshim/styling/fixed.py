@@ -29,6 +29,8 @@ class BackFaces:
     """What front faces are filled with; None: they stay as they are."""
     smooth: bool = True
     """GL_LINE_SMOOTH."""
+    dash: float = 0.0
+    """Pixels of a dash with the gap after it, as glLineStipple has them; 0: none."""
 
 
 def _former(args: tuple[Any, ...], given: dict[str, Any]) -> dict[str, Any] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import SequenceMatcher
 from typing import Any
 
 from glshim.errors import StyleError, UnknownNameError, nearest, unknown
@@ -41,9 +42,14 @@ def targets(stylers: Sequence[type[Styler]], key: Key) -> list[tuple[int, Target
         except StyleError as error:
             errors.append(error)
     if not found:
-        helpful = [error for error in errors if getattr(error, "matches", ())]
-        raise (helpful or errors)[-1]
+        raise max(errors, key=lambda error: _nearness(key[-1], error))
     return found
+
+
+def _nearness(word: str, error: StyleError) -> float:
+    """How near the word is that an error suggests."""
+    matches = error.matches if isinstance(error, UnknownNameError) else ()
+    return max((SequenceMatcher(None, word, match).ratio() for match in matches), default=0.0)
 
 
 def wanted(styler: type[Styler], key: Key) -> Target:

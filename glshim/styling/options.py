@@ -44,7 +44,7 @@ class Option:
     @property
     def allowed(self) -> str:
         """The range in words, for help texts and errors."""
-        return f"{self._range}, {AUTO}" if self.follows else self._range
+        return f"{self._range} or {AUTO}" if self.follows else self._range
 
     @property
     def _range(self) -> str:
@@ -107,6 +107,8 @@ class Option:
                         return float(value)
                     if value == int(value):
                         return int(value)
+        elif isinstance(value, bool) and {"on", "off"} <= {*self.choices}:
+            return "on" if value else "off"
         elif isinstance(value, str):
             return self.parse(value, folder)
         elif self.kind in ("colour", "choice or colour") and _is_colour(value):

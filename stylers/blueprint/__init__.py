@@ -2,48 +2,61 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from glshim.styling.media.hand import hand, outlines
+from glshim.styling.lines import Medium
+from glshim.styling.media.hand import hand, pictured
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
-from ..shared.hand import ByHand, strokes
+from ..shared.hand import ByHand, Strokes
 from ..shared.hand.paper import Paper, under
+from ..shared.kinds import USUAL, former_names
 from .dimensions import dimensions
 
+_INNER = ("ridge_width", "valley_width", "intersection_width")
 
+
+@takes_old_names
 @dataclass(frozen=True)
 class Blueprint(ByHand):
     """White lines on blue that overshoot their corners, with dimensions (NPRQuake)."""
 
     name: ClassVar[str] = "blueprint"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(USUAL, inner_width=Renamed(_INNER))
 
-    width: float = option(1.6, help="width of outlines", low=0.5, high=32.0, unit="px")
-    inner_width: float = option(1.0, help="width of other lines", low=0.5, high=32.0, unit="px")
-    opacity: float = option(0.55, help="opacity of one stroke", low=0.02, high=1.0)
-    strokes: int = option(2, help="how often each line is drawn", low=1, high=16)
+    width: float = options.width(1.6, "outlines", high=32.0)
+    inner: float = options.inner(0.625)
+    opacity: float = options.opacity(0.55)
+    strokes: int = options.repeats(2, most=16)
     overshoot: float = option(
-        0.2, help="how far lines go on beyond their corners, of their length", low=0.0, high=1.0
-    )
+        0.2, help="distance by which lines run past corners, as a share of their length",
+        low=0.0, high=1.0,
+    )  # fmt: skip
     overshoot_most: float = option(
-        20.0, help="how far they go on at most", low=0.0, high=256.0, unit="px"
+        20.0, help="upper limit of overshoot", low=0.0, high=256.0, unit="px"
     )
-    jitter: float = option(0.0, help="how far lines stray", low=0.0, high=32.0, unit="px")
+    jitter: float = options.jitter(0.0)
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
     dimensions: float = option(
-        0.2, help="share of straight edges that have arrows and a length", low=0.0, high=1.0
+        0.2, help="share of straight edges with dimension arrows", low=0.0, high=1.0
     )
-    grid: float = option(16.0, help="printed on the paper; 0: none", low=0.0, high=512.0, unit="px")
-    shade: float = option(0.4, help="how much of the app's light", low=0.0, high=1.0)
+    grid: float = option(
+        16.0, help="spacing of the printed grid; 0: no grid", low=0.0, high=512.0, unit="px"
+    )
+    shade: float = option(0.4, help="strength of the program's shading", low=0.0, high=1.0)
     boil: float = options.boil()
     seed: int = options.seed()
     crease_angle: float = options.crease_angle(45.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#ffffff", help="colour of the lines")
+    ink: Colour = options.ink("#ffffff", "all lines and dimensions")
     paper: Colour = option("#000080", help="colour of the paper")
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
@@ -54,14 +67,23 @@ class Blueprint(ByHand):
             self.paper, shade=self.shade, tooth=0.6, grid=self.grid, rule=(red, green, blue)
         )
         yield from under(paper, layer)
-        medium = hand(
-            self.inner_width, self.ink, widths=outlines(self.width), opacity=self.opacity,
-            wobble=self.jitter, overshoot=self.overshoot_most, overshoot_share=self.overshoot,
-            pressure=0.1, corner=30.0, scale=layer.scale,
-        )  # fmt: skip
-        own = self.hand(medium, self.strokes)
-        yield from strokes(own, layer)
+
+        def medium(look: Strokes) -> Medium:
+            return hand(
+                self.width * self.inner, self.ink, widths=look.widths, colours=look.colours,
+                opacity=self.opacity, wobble=self.jitter, overshoot=self.overshoot_most,
+                overshoot_share=self.overshoot, pressure=0.1, corner=30.0, scale=layer.scale,
+                **pictured(look.texture, self.width, self.texture_length, look.dash),
+            )  # fmt: skip
+
+        yield from self.by_hand(medium, self.strokes, layer)
         if self.dimensions:
+            widths = {"contours": self.width, "boundary": self.width}
+            plain = medium(Strokes("none", 0.0, widths, {}))
             yield from dimensions(
-                own, layer, frequency=self.dimensions, ink=self.ink, coat=own.strokes
-            )
+                self.hand(plain, self.strokes, USUAL), layer, frequency=self.dimensions,
+                ink=self.ink, coat=self.strokes,
+            )  # fmt: skip
+
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in ("contour", "boundary") else self.inner

@@ -9,56 +9,76 @@ missing, where NPRQuake leaves out the last line of each polygon of a model.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.lines import Medium
 from glshim.styling.media.hand import brush
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
+from glshim.styling.textures import MADE
 from glshim.styling.textures.brushes import BRUSHES
 
 from ..shared import options
-from ..shared.hand import ByHand, strokes
+from ..shared.hand import ByHand, Strokes
+from ..shared.kinds import USUAL, former_names
 from .paint import Paint, painted
 
 
+@takes_old_names
 @dataclass(frozen=True)
 class Brush(ByHand):
     """Lines painted with a brush over surfaces painted in the app's colours (NPRQuake)."""
 
     name: ClassVar[str] = "brush"
     categories: ClassVar[tuple[str, ...]] = ("paint", "paper")
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        USUAL, brush=Renamed(("texture",)), layers=Renamed(("strokes",))
+    )
 
-    brush: str = option(
+    texture: str = option(
         "pen2b",
-        help="the brush: charcoal, a fibre pen (pen1), a brush pen (pen2: full, dry), a broad nib "
-        "and a marker (pen3), or a picture; dark is ink in a grey one, others keep colours",
-        choices=BRUSHES,
+        help="brush: charcoal, fibre pen (pen1), brush pen (pen2a: full, pen2b: dry), broad nib "
+        "and marker (pen3), another texture, or a picture; in a grey picture dark is ink",
+        choices=(*BRUSHES, *MADE),
         picture=True,
     )
-    width: float = option(7.0, help="width of an outline's stroke", low=0.5, high=64.0, unit="px")
-    inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
-    opacity: float = option(0.92, help="opacity of one stroke", low=0.02, high=1.0)
-    layers: int = option(1, help="how often each line is painted", low=1, high=4)
-    jitter: float = option(1.4, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
-    overshoot: float = option(6.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    width: float = options.width(7.0, "outlines")
+    inner: float = options.inner(0.7)
+    opacity: float = options.opacity(0.92)
+    strokes: int = options.repeats(1, most=4)
+    jitter: float = options.jitter(1.4)
+    overshoot: float = options.overshoot(6.0)
     boil: float = options.boil()
     seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#1f1b24", help="colour of the strokes")
+    ink: Colour = options.ink("#1f1b24")
     paper: Colour = option("#f7f1e3", help="colour of the paper")
     tint: float = option(
-        0.9, help="how much of the paper the app's own colours cover", low=0.0, high=1.0
+        0.9, help="opacity of the paint, in the program's own colours", low=0.0, high=1.0
     )
-    dab: float = option(13.0, help="length of a dab of paint", low=3.0, high=64.0, unit="px")
+    dab: float = option(
+        13.0, help="length of the dabs of paint on surfaces", low=3.0, high=64.0, unit="px"
+    )
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
-        medium = brush(
-            self.brush, self.width, self.ink, inner=self.inner, opacity=self.opacity,
-            wobble=self.jitter, overshoot=self.overshoot, scale=layer.scale,
-        )  # fmt: skip
-        yield from strokes(self.hand(medium, self.layers), layer)
+
+        def medium(look: Strokes) -> Medium:
+            return brush(
+                look.texture, self.width, self.ink, inner=self.inner, widths=look.widths,
+                colours=look.colours, opacity=self.opacity, wobble=self.jitter,
+                overshoot=self.overshoot, texture_length=self.texture_length, dash=look.dash,
+                scale=layer.scale,
+            )  # fmt: skip
+
+        yield from self.by_hand(medium, self.strokes, layer)
+
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in ("contour", "boundary") else self.inner

@@ -6,19 +6,20 @@ Real-Time 3D Animation", NPAR 2000.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
 from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.values import Body, Uniform
 
 from ..shared import options
-from ..shared.features import feature_lines
 from ..shared.intersections import intersection_lines
+from ..shared.kinds import USUAL, FeatureLines, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
@@ -28,53 +29,56 @@ from ..shared.shading import (
     lit_passes,
     screen_shader,
 )
+from ..shared.strokes import inked
 
 _SHADER = screen_shader("cartoon", glsl(__file__, "cartoon.frag"), bent=NEAR_ENOUGH)
 
 
+_OLD_WIDTH = Renamed(
+    ("ridge_width", "valley_width", "intersection_width"),
+    off=("ridges", "valleys", "intersections"),
+)
+
+
+@takes_old_names
 @dataclass(frozen=True)
-class Cartoon(Styler):
+class Cartoon(FeatureLines):
     """Cel bands and ink outlines."""
 
     name: ClassVar[str] = "cartoon"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(USUAL, line_width=_OLD_WIDTH)
 
     bands: int = option(3, help="flat shades of light", low=2, high=16)
     exposure: float = option(
-        1.5, help="factor of the light before it is cut into bands", low=0.1, high=10.0
+        1.5, help="brightness of the light before it is cut into bands", low=0.1, high=10.0
     )
     shadow: float = option(0.55, help="brightness of the darkest band", low=0.0, high=1.0)
-    shadow_tint: Colour = option(
-        "#d6d0f0", help="colour that the darkest band is tinted with"
-    )
-    highlight: float = option(
-        0.3, help="brightness of highlights, where surfaces of shiny materials are bent",
-        low=0.0, high=1.0,
-    )  # fmt: skip
-    gloss: float = option(
-        40.0, help="exponent of highlights: greater is smaller", low=1.0, high=1000.0
-    )
+    shadow_tint: Colour = option("#d6d0f0", help="tint of the darkest band")
+    highlight: float = options.highlight(0.3)
+    gloss: float = options.gloss(40.0)
     rim: float = option(
-        0.0, help="brightness of lit rims, where bent surfaces turn away", low=0.0, high=1.0
+        0.0, help="brightness of rim light on curved surfaces", low=0.0, high=1.0
     )
     lights: str = option(
-        "app", help="the app's own lights, or one behind the viewer's shoulder",
+        "app", help="the program's own lights (app), or one behind the viewer's shoulder (head)",
         choices=("app", "head"),
     )  # fmt: skip
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
     saturation: float = option(
-        1.2, help="how pure colours are; 1: as the app has them, 0: grey", low=0.0, high=3.0
+        1.2, help="saturation of colours; 1: unchanged, 0: grey", low=0.0, high=3.0
     )
     posterise: int = option(
-        0, help="levels of brightness of paints and textures; 0: as they are", low=0, high=64
+        0, help="brightness levels of colours and textures; 0: unchanged", low=0, high=64
     )
-    outline_width: float = option(3.0, help="width of outlines", low=0.5, high=64.0, unit="px")
-    line_width: float = option(
-        1.5, help="width of lines within outlines; 0: none", low=0.0, high=64.0, unit="px"
-    )
+    width: float = options.width(3.0, "outlines")
+    inner: float = options.inner(0.5)
+    ink: Colour = options.ink("#101014")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
     crease_angle: float = options.crease_angle(60.0)
     intersections: str = options.intersections()
-    ink: Colour = option("#101014", help="colour of the lines")
     tolerance: float = options.tolerance()
 
     @property
@@ -99,13 +103,14 @@ class Cartoon(Styler):
         given = layer.lighting.lights if layer.lighting is not None else ()
         yield from self._shaded(lit, given if self.lights == "app" else head)
         yield from self._shaded(unlit, head)
-        yield from feature_lines(
-            layer, self.ink, outlines=self.outline_width, open_sides=self.outline_width,
-            creases=max(self.line_width, 0.5) if self.line_width > 0.0 else None,
-            crease_angle=self.crease_angle, tolerance=self.tolerance,
+        yield from inked(
+            layer, self.features(self.crease_angle, tolerance=self.tolerance), self.looks(),
+            texture_length=self.texture_length,
         )  # fmt: skip
-        if self.line_width > 0.0:
-            yield from intersection_lines(self.intersections, layer, self.line_width, self.ink)
+        yield from intersection_lines(self, self.intersections, layer)
+
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in ("contour", "boundary") else self.inner
 
     def _shaded(self, found: tuple[Body, ...], lights: tuple[Light, ...]) -> Iterable[Pass]:
         look: dict[str, Uniform] = {

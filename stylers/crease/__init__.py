@@ -7,7 +7,7 @@ differences on the vertices tell the geometry shader where the next crease goes 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import radians
 from typing import Any, ClassVar, cast
@@ -18,11 +18,13 @@ from glshim.styling.glsl import glsl
 from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.protocol import Colour, Layer, option
+from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.textures import made
 from glshim.styling.values import Body, Uniform
 
 from ..shared import options
+from ..shared.kinds import Boundaries, Contours, Look, Ridges, Valleys, former_names
 
 
 def _shaders(name: str) -> tuple[MeshShader, MeshShader]:
@@ -48,8 +50,16 @@ _INK = State(depth="always", blend="greatest")
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 
 
+_KINDS = {"ridge": 1, "valley": 2, "boundary": 4, "contour": 8}
+"""Bits in the shader of creases."""
+_CREASES = ("ridge", "valley", "boundary")
+_OLD = {f"crease_{part}": Renamed(tuple(f"{kind}_{part}" for kind in _CREASES))
+        for part in ("width", "ink", "texture", "dash")}  # fmt: skip
+
+
+@takes_old_names
 @dataclass(frozen=True)
-class Crease(Styler):
+class Crease(Boundaries, Valleys, Ridges, Contours):
     """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012).
 
     Verifiers draw what flags draw, but where a side that is no crease fits the differences at both
@@ -57,51 +67,47 @@ class Crease(Styler):
     """
 
     name: ClassVar[str] = "crease"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        (*_CREASES, "contour"), **_OLD, creases=Renamed(("ridges", "valleys", "boundary")),
+        angle=Renamed(("crease_angle",)),
+    )  # fmt: skip
 
-    creases: bool = option(True, help="ink where the surface has a crease, or ends")
-    silhouettes: bool = option(True, help="ink where smooth surfaces turn away from the viewer")
-    crease_width: float = option(2.5, help="width of creases", low=0.5, high=64.0, unit="px")
-    silhouette_width: float = option(
-        2.5, help="width of silhouettes", low=0.5, high=64.0, unit="px"
-    )
+    width: float = options.width(2.5)
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
     rule: str = option(
         "either",
-        help="what is a crease: where the program's normals differ, where polygons turn, or either",
+        help="what makes a crease: different normals of the program's (normals), a bend between "
+        "polygons (angle), or either",
         choices=("either", "normals", "angle"),
     )
-    angle: float = option(
-        60.0, help="polygons that turn by so much make a crease", low=0.0, high=180.0,
-        unit="degrees",
-    )  # fmt: skip
+    crease_angle: float = options.crease_angle(60.0)
     least_angle: float = option(
-        20.0, help="where the normals differ polygons must turn by so much; 0: the paper's creases",
+        20.0, help="smallest bend drawn as a crease where normals differ; 0: any, as in the paper",
         low=0.0, high=180.0, unit="degrees",
     )  # fmt: skip
     indicator: str = option(
         "flags",
-        help="how the shader knows creases: exact flags, or the paper's verifiers",
+        help="how the shader recognises creases: exact flags, or the paper's verifiers",
         choices=("flags", "verifiers"),
     )
     bias: float = option(
-        1.5, help="depth by which creases may lie behind what is drawn, in pixels", low=0.0,
-        high=64.0, unit="px",
-    )  # fmt: skip
+        1.5, help="depth tolerance of creases, in pixels of depth", low=0.0, high=64.0, unit="px"
+    )
     fade: float = option(
-        2.0, help="depth over which they fade away beyond that, in pixels", low=0.0, high=64.0,
-        unit="px",
-    )  # fmt: skip
+        2.0, help="depth over which creases fade out beyond bias", low=0.0, high=64.0, unit="px"
+    )
     spine: bool = option(
-        True, help="creases are seen where their middle is; off: the soft depth test alone"
+        True, help="test visibility along the middle of a crease; off: by soft depth alone"
     )
     hidden_by: str = option(
         "surfaces",
-        help="what hides silhouettes: all surfaces, or as in the paper those that look away",
+        help="what hides contours: all surfaces, or back faces only, as in the paper",
         choices=("surfaces", "back_faces"),
     )
-    texture: str = options.texture("lines")
-    texture_length: float = options.texture_length("a line")
     tolerance: float = options.tolerance(0.0)
-    ink: Colour = option("#000000", help="colour of the lines")
     fill: str | Colour = options.fill()
 
     @property
@@ -114,45 +120,58 @@ class Crease(Styler):
         found = layer.bodies
         if not found:
             return
-        if self.silhouettes:
+        looks = self.looks()
+        creased = any(kind in looks for kind in _CREASES)
+        if self.contours:
             if self.hidden_by == "back_faces":
                 yield Pass(
                     found, BACK, "surface", state=_NEAREST, buffer=True, weld=self._weld, lines=True
                 )
             plain = self.hidden_by == "surfaces"
-            yield from self._lines(SILHOUETTES, found, self.silhouette_width, SMOOTH, plain)
-        if self.creases:
-            yield from self._lines(CREASES, found, self.crease_width, CREASE, self.spine)
+            given: dict[str, Uniform] = {"creased": int(creased)}
+            yield from self._lines(
+                SILHOUETTES, found, looks["contour"], SMOOTH, plain=plain, given=given
+            )
+        if not creased:
+            return
+        alike: dict[Look, int] = {}
+        for kind, look in looks.items():
+            alike[look] = alike.get(look, 0) | _KINDS[kind]
+        for look, kinds in alike.items():
+            given = {
+                "kinds": kinds, "parted": int(self.contours),
+                "verified": int(self.indicator == "verifiers"),
+            }  # fmt: skip
+            yield from self._lines(CREASES, found, look, CREASE, plain=self.spine, given=given)
 
     @property
     def _weld(self) -> Weld:
-        rule = cast(Any, self.rule)
-        return Weld(
-            self.tolerance, Criterion(rule, radians(self.angle), radians(self.least_angle))
-        )
+        rule, angles = cast(Any, self.rule), (self.crease_angle, self.least_angle)
+        return Weld(self.tolerance, Criterion(rule, *map(radians, angles)))
 
     def _lines(
         self,
         shaders: tuple[MeshShader, MeshShader],
         found: tuple[Body, ...],
-        width: float,
+        look: Look,
         wanted: int,
+        *,
         plain: bool,
+        given: Mapping[str, Uniform],
     ) -> Iterator[Pass]:
-        """Lines of a kind, the short ones apart where one answer says whether they are seen."""
-        image, repeat, textured = self._stroke(width)
+        """Lines of a look, the short ones apart where one answer says whether they are seen."""
+        image, repeat, textured = self._stroke(look)
         apart = plain and not textured
         uniforms: dict[str, Uniform] = {
-            "half_width": width / 2.0,
-            "ink": self.ink,
+            **given,
+            "half_width": look.width / 2.0,
+            "ink": look.ink,
             "bias": self.bias,
             "fade": self.fade,
             "spine": int(self.spine),
             "back_faces": int(self.hidden_by == "back_faces"),
-            "verified": int(self.indicator == "verifiers"),
             "cuts": int(textured > 0),
             "apart": int(apart),
-            "creased": int(self.creases),
             "textured": textured,
             "repeat": repeat,
             "hidden_share": 0.0,
@@ -164,9 +183,9 @@ class Crease(Styler):
                 sieve=Sieve(wanted, shortest=shortest), weld=self._weld, lines=True,
             )  # fmt: skip
 
-    def _stroke(self, width: float) -> tuple[Image | None, float, int]:
+    def _stroke(self, look: Look) -> tuple[Image | None, float, int]:
         """The texture, the pixels after which it repeats, and 2 where it has its own colours."""
-        if self.texture == "none":
+        if look.stroke is None:
             return None, 1.0, 0
-        image, length, _ = made(self.texture, width, self.texture_length)
+        image, length, _ = made(look.texture, look.width, self.texture_length, look.dash)
         return image, length, 2 if is_coloured(image) else 1

@@ -6,8 +6,11 @@
 
 layout(triangle_strip, max_vertices = 24) out;
 
+uniform int kinds;        // bits of those that are drawn: ridges, valleys, open sides, contours
+uniform int parted;       // 1: creases that are contours are contours; 0: ridges and valleys
 uniform int verified;     // 1: the verifiers decide, as in the paper; 0: the exact flags
 
+const int OUT = 1, IN = 2, OPEN = 4, OUTER = 8;
 const float UNIT = 1e-3;  // by how much a length may differ from 1
 const float SINE = 1e-3;  // by how much a verifier may be missed
 const float STEEPEST = 600.0;  // pixels' worth of depth a pixel at which slopes are cut
@@ -56,6 +59,13 @@ void emit(int a, int b, int c, int d, bool contour, int kind) {
     put(l, -JOINT, half_width + 1.0, planes, kind, false, deep);
 }
 
+// Whether a fold of the triangle a, b, c, d being the next one's corner, stands out to the viewer.
+bool is_ridge(int a, int b, int c, int d) {
+    vec3 area = cross(place[b] - place[a], place[c] - place[a]);
+    float rise = dot(area, place[d] - place[a]);
+    return dot(area, towards(eye, place[a])) > 0.0 ? rise <= 0.0 : rise >= 0.0;
+}
+
 void main() {
     int flags = triangle_at(element()).w;
     bool closed = (flags & 1) == 1, front = is_front(flags, 0, 2, 4);
@@ -67,6 +77,8 @@ void main() {
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
         if (!crease) continue;
         bool contour = open || (front && !is_front(flags, a, across, b));
+        int own = open ? OPEN : contour && parted == 1 ? OUTER : is_ridge(a, b, c, across) ? OUT : IN;
+        if ((kinds & own) == 0) continue;
         emit(a, b, c, across, contour, contour ? RING : RIDGE);
     }
 }

@@ -5,75 +5,71 @@ M. McGuire, J. F. Hughes, "Hardware-Determined Feature Edges", NPAR 2004.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import degrees, radians
 from typing import Any, ClassVar, cast
 
 from glshim.errors import StyleError
 from glshim.model.dihedral import crease_limits
-from glshim.styling.media.ink import ink
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.pictures import Image
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.textures import made
 from glshim.styling.wishes import Features
 
 from ..shared import options
+from ..shared.kinds import (
+    Boundaries,
+    Contours,
+    Look,
+    MarkedEdges,
+    Ridges,
+    SuggestiveContours,
+    Valleys,
+    former_names,
+)
+from ..shared.strokes import inked
 from ..shared.tones import TONES, tone_passes
 from .paper import PaperLook, paper_passes
 
-_KINDS = {
-    "contours": "contour", "ridges": "ridge", "valleys": "valley", "marked": "marked",
-    "boundary": "boundary", "suggestive": "suggestive",
-}  # fmt: skip
-"""What options of a kind of lines begin with."""
+_PAPER_KINDS = ("contour", "ridge", "valley", "marked", "boundary")
+"""In the order of what `PaperLook` says of each."""
+_FINE = 0.6
+"""Width of suggestive contours, of one of other lines."""
 
 
-def _width(what: str) -> float:
-    width: float = option(2.5, help=f"width of {what}", low=0.5, high=64.0, unit="px")
-    return width
-
-
+@takes_old_names
 @dataclass(frozen=True)
-class EdgeMesh(Styler):
+class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Contours):
     """Ink on the feature edges of recovered meshes (McGuire & Hughes 2004)."""
 
     name: ClassVar[str] = "edge_mesh"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        ("contour", "ridge", "valley", "marked", "boundary", "suggestive")
+    )
 
-    contours: bool = option(True, help="ink where the surface turns away from the viewer")
-    ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
-    valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
-    marked: bool = option(False, help="ink where polygons of different colours meet")
-    boundary: bool = option(True, help="ink on edges that have one polygon only")
-    contour_width: float = _width("contours, outside the object")
-    ridge_width: float = _width("ridges")
-    valley_width: float = _width("valleys")
-    marked_width: float = _width("marked edges")
-    boundary_width: float = _width("boundary edges")
-    contour_ink: Colour = options.colour("contours")
-    ridge_ink: Colour = options.colour("ridges")
-    valley_ink: Colour = options.colour("valleys")
-    marked_ink: Colour = options.colour("marked edges")
-    boundary_ink: Colour = options.colour("boundary edges")
-    ridge_angle: float = option(
-        120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
+    marked: bool = option(False, help="draw edges where polygons of different colours meet")
+    suggestive: bool = option(
+        False, help="draw suggestive contours: where contours would appear from nearby viewpoints"
     )
-    valley_angle: float = option(
-        240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
-    )
+    width: float = options.width(2.5)
+    ink: Colour = options.ink("#000000", "all lines, and of the strokes of a tone")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    crease_angle: float = options.crease_angle(60.0)
+    ridge_angle: float | None = options.ridge_angle()
+    valley_angle: float | None = options.valley_angle()
     smooth: bool = option(
-        False, help="contours of smooth surfaces run through polygons, not along their edges"
+        False, help="draw contours of smooth surfaces through polygons, not along their edges"
     )
-    suggestive: bool = option(False, help="ink where contours would appear for near viewpoints")
-    suggestive_width: float = option(
-        1.5, help="width of suggestive contours", low=0.5, high=64.0, unit="px"
-    )
-    suggestive_ink: Colour = options.colour("suggestive contours")
     tolerance: float = options.tolerance(0.0)
     strokes: str = option(
         "chained",
-        help="chained: joined along chains of edges; the others edge by edge on the GPU, as in the "
-        "paper: lines of a pixel, quads, or quads on the outside of contours",
+        help="how edges become strokes: joined into chains (chained), or each by itself on the "
+        "GPU, as in the paper: lines of one pixel, quads, or quads outside of contours (half)",
         choices=("chained", "thin", "quads", "half"),
     )
     caps: str = option(
@@ -81,33 +77,23 @@ class EdgeMesh(Styler):
         choices=("round", "paper", "none"),
     )  # fmt: skip
     outer: bool = option(
-        False, help="contours only against what is not the object itself (the stencil decides)"
+        False, help="draw contours only where an object ends, not inside it (by the stencil buffer)"
     )
-    hidden: str = option(
-        "none", help="lines behind surfaces", choices=("none", "dashed", "dimmed", "solid")
-    )
-    hidden_share: float = option(
-        1.0, help="share of the ink of hidden lines that are dashed or solid (strokes=chained)",
-        low=0.0, high=1.0,
-    )  # fmt: skip
-    texture: str = options.texture("strokes")
-    texture_length: float = options.texture_length("a stroke")
+    hidden: str = options.hidden("solid")
+    hidden_share: float = options.hidden_share(1.0, " (strokes=chained)")
     parameters: str = option(
         "screen",
-        help="how a texture lies along strokes that are not chained: from each edge's own number, "
-        "or cut out of the screen",
+        help="texture coordinates of strokes that are not chained: cut out of the screen, or from "
+        "each edge's own number (object)",
         choices=("screen", "object"),
     )
     tone: str = option(
         "app",
-        help="how surfaces are laid in, by the app's own colours: plain paper, hatched with a pen, "
-        "charcoal on the paper's grain, flat bands, a watercolour wash",
+        help="surfaces: as the program draws them (app), plain paper, pen hatching, charcoal "
+        "grain, flat bands (cel), or a watercolour wash",
         choices=("app", *TONES),
     )
-    paper: str | Colour = option(
-        "app", help="what is behind the surfaces: as the app drew it, or paper of a colour",
-        choices=("app",), colour=True,
-    )  # fmt: skip
+    paper: str | Colour = options.paper("app")
     fill: str | Colour = options.fill()
 
     @property
@@ -117,16 +103,20 @@ class EdgeMesh(Styler):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if self.strokes != "chained" and not self.ridge_angle <= 180.0 <= self.valley_angle:
+        ridge, valley = self._angles()
+        if self.strokes != "chained" and not ridge <= 180.0 <= valley:
             raise StyleError(
                 f"edge_mesh: strokes={self.strokes} takes a ridge_angle of at most 180 and a "
                 "valley_angle of at least 180 degrees; strokes=chained takes any"
             )
 
+    def share(self, kind: str) -> float:
+        return _FINE if kind == "suggestive" else 1.0
+
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Tones, and over them strokes of the chains of all batches, or passes over them. Batches
         that share a camera are one mesh."""
-        yield from tone_passes(self.tone, self.paper, self.contour_ink, layer)
+        yield from tone_passes(self.tone, self.paper, self.ink, layer)
         if self.strokes != "chained":
             yield from paper_passes(self._look(), layer)
             return
@@ -134,55 +124,60 @@ class EdgeMesh(Styler):
         if self.outer and self.contours:
             yield from paper_passes(self._silhouettes(), layer)
 
+    def _angles(self) -> tuple[float, float]:
+        """Of ridges and of valleys, degrees."""
+        turn = self.crease_angle
+        return (
+            180.0 - turn if self.ridge_angle is None else self.ridge_angle,
+            180.0 + turn if self.valley_angle is None else self.valley_angle,
+        )
+
     def _chained(self, layer: Layer) -> Iterable[Lines]:
+        ridge, valley = self._angles()
         wanted = Features(
             contours=self.contours and not self.outer,
-            ridge_angle=radians(self.ridge_angle) if self.ridges else None,
-            valley_angle=radians(self.valley_angle) if self.valleys else None,
+            ridge_angle=radians(ridge) if self.ridges else None,
+            valley_angle=radians(valley) if self.valleys else None,
             marked=self.marked,
             boundary=self.boundary,
             smooth=self.smooth,
             suggestive=self.suggestive,
             tolerance=self.tolerance,
         )
-        medium = ink(
-            widths={kind: getattr(self, f"{name}_width") for kind, name in _KINDS.items()},
-            colours={kind: getattr(self, f"{name}_ink") for kind, name in _KINDS.items()},
-            texture=self.texture,
-            texture_length=self.texture_length,
-            hidden=cast(Any, self.hidden),
-            hidden_share=self.hidden_share,
-        )
-        yield Lines(layer.bodies, wanted, medium)
+        return inked(
+            layer, wanted, self.looks(), texture_length=self.texture_length,
+            hidden=cast(Any, self.hidden), hidden_share=self.hidden_share,
+        )  # fmt: skip
 
     def _look(self) -> PaperLook:
         """The options as the paper's passes have them."""
-        image, length = None, 0.0
-        if self.texture != "none":
-            image, length, _ = made(
-                self.texture, self.contour_width, self.texture_length
-            )
-        limits = crease_limits(radians(self.ridge_angle), radians(self.valley_angle))
+        looks = [self.look(kind) for kind in _PAPER_KINDS]
+        pictures = [self._picture(look, looks[0].width) for look in looks]
+        limits = crease_limits(*map(radians, self._angles()))
         return PaperLook(
             strokes=cast(Any, self.strokes),
             caps=cast(Any, self.caps),
-            drawn=(self.contours, self.ridges, self.valleys, self.marked, self.boundary),
-            widths=(
-                self.contour_width, self.ridge_width, self.valley_width, self.marked_width,
-                self.boundary_width,
-            ),
-            inks=(
-                self.contour_ink, self.ridge_ink, self.valley_ink, self.marked_ink,
-                self.boundary_ink,
-            ),
+            drawn=tuple(self.is_on(kind) for kind in _PAPER_KINDS),
+            widths=tuple(look.width for look in looks),
+            inks=tuple(look.ink for look in looks),
             ridge_angle=degrees(limits[0]),
             valley_angle=degrees(limits[1]),
             hidden=cast(Any, self.hidden),
             outer=self.outer,
-            image=image,
-            length=length,
+            images=tuple(image for image, _ in pictures),
+            lengths=tuple(length for _, length in pictures),
             parameters=cast(Any, self.parameters),
-        )  # fmt: skip
+        )
+
+    def _picture(self, look: Look, width: float) -> tuple[Image | None, float]:
+        """What strokes of a look are drawn with, and the pixels after which it repeats."""
+        if self.strokes == "thin":
+            return None, look.dash
+        if look.stroke is None:
+            return None, 0.0
+        measure = look.width if look.dash > 0.0 else width
+        image, length, _ = made(look.texture, measure, self.texture_length, look.dash)
+        return image, length
 
     def _silhouettes(self) -> PaperLook:
         """Contours against what is not the object itself, alone."""

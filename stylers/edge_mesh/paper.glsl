@@ -4,6 +4,7 @@
 //         glshim/geometry/references/thick_lines.py. Pixels are from the middle of the viewport.
 
 uniform int wanted;         // bits of features
+uniform int shown;          // bits of those that are drawn now
 uniform vec2 turns;         // cosines of the threshold angles of ridges and valleys
 uniform float inks[15];     // red, green, blue of each kind
 uniform float reaches[5];   // pixels from an edge to the side of its stroke
@@ -20,7 +21,7 @@ const float INSIDE = 1.0 - 1e-5;
 const int OBJECT = 0, SCREEN = 1, DASHES = 2;
 
 struct Stroke {
-    int kind;       // the first of its features that is wanted; none: 5
+    int kind;       // the first of its features that is wanted; none, or it is not shown: 5
     vec2 s0, s1;    // pixels
     vec2 p;         // the unit perpendicular
     vec2 m0, m1;    // unit normals
@@ -54,6 +55,10 @@ Stroke this_stroke() {
     vec4 a = clip(e.p0), b = clip(e.p1);
     if (!cut(a, b)) return s;
     for (int k = 4; k >= 0; --k) if ((found >> k & 1) == 1) s.kind = k;
+    if ((shown >> s.kind & 1) == 0) {
+        s.kind = 5;
+        return s;
+    }
     s.s0 = pixels(a);
     s.s1 = pixels(b);
     s.z0 = a.z / a.w;

@@ -65,10 +65,10 @@ class PaperLook:
     hidden: Literal["none", "dashed", "dimmed", "solid"] = "none"
     outer: bool = False
     """Of contours only those against what is not the object itself."""
-    image: Image | None = None
+    images: tuple[Image | None, ...] = (None,) * 5
     """What strokes other than thin ones are drawn with."""
-    length: float = 0.0
-    """Pixels after which the image repeats; 0: as its own proportions have it."""
+    lengths: tuple[float, ...] = (0.0,) * 5
+    """Pixels after which the images repeat, or of thin lines their dashes; 0: there are none."""
     parameters: Literal["object", "screen"] = "screen"
     """How the image lies along the lines (section 4)."""
 
@@ -121,15 +121,27 @@ def _strokes(
     """Lines of the kinds that are wanted (bits): hidden ones, then visible ones over them."""
     if look.hidden != "none":
         state = State(depth="greater", blend="greatest", stencil=stencil)
-        yield from _shapes(look, models, state, wanted, hidden=True)
+        for shown in _alike(look, wanted):
+            yield from _shapes(look, models, state, wanted, shown, hidden=True)
     state = State(depth="lequal", blend="greatest", stencil=stencil)
-    yield from _shapes(look, models, state, wanted, hidden=False)
+    for shown in _alike(look, wanted):
+        yield from _shapes(look, models, state, wanted, shown, hidden=False)
+
+
+def _alike(look: PaperLook, wanted: int) -> list[int]:
+    """Bits of the kinds that are wanted, those with one picture together."""
+    found: dict[object, int] = {}
+    for bit, image, length in zip(KINDS, look.images, look.lengths, strict=True):
+        if wanted & bit:
+            found[id(image), length] = found.get((id(image), length), 0) | bit
+    return [*found.values()]
 
 
 def _shapes(
-    look: PaperLook, models: tuple[Body, ...], state: State, wanted: int, *, hidden: bool
-) -> Iterator[Pass]:
-    uniforms = _uniforms(look, wanted, hidden=hidden)
+    look: PaperLook, models: tuple[Body, ...], state: State, wanted: int, shown: int, *,
+    hidden: bool,
+) -> Iterator[Pass]:  # fmt: skip
+    uniforms, image = _uniforms(look, wanted, shown, hidden=hidden), _image(look, shown)
     sieve = Sieve(wanted, (radians(look.ridge_angle), radians(look.valley_angle)))
     if look.strokes == "thin":
         yield Pass(
@@ -140,12 +152,12 @@ def _shapes(
     shader = ROUND if look.caps == "round" else QUAD
     yield Pass(
         models, shader, "edges", Primitives("quads"), state=state, uniforms=uniforms,
-        image=look.image, sieve=sieve, lines=True,
+        image=image, sieve=sieve, lines=True,
     )  # fmt: skip
     if look.caps == "paper":
         yield Pass(
             models, CAP, "edges", Primitives("triangles", 2), state=state, uniforms=uniforms,
-            image=look.image, sieve=sieve, lines=True,
+            image=image, sieve=sieve, lines=True,
         )  # fmt: skip
 
 
@@ -172,13 +184,21 @@ def _factor(look: PaperLook) -> float:
     return 1.0 + max((r for bit, r, on in reaches if on and not _is_half(look, bit)), default=0.0)
 
 
-def _uniforms(look: PaperLook, wanted: int, *, hidden: bool) -> dict[str, Uniform]:
-    dashed = hidden and look.hidden == "dashed"
-    textured = look.image is not None and look.strokes != "thin" and not dashed
+def _image(look: PaperLook, shown: int) -> Image | None:
+    """The picture of kinds that have it together."""
+    return next(image for bit, image in zip(KINDS, look.images, strict=True) if shown & bit)
+
+
+def _uniforms(look: PaperLook, wanted: int, shown: int, *, hidden: bool) -> dict[str, Uniform]:
+    image, thin = _image(look, shown), look.strokes == "thin"
+    lengths = (length for bit, length in zip(KINDS, look.lengths, strict=True) if shown & bit)
+    dashed = (thin and any(lengths)) or (hidden and look.hidden == "dashed")
+    textured = image is not None and not thin and not dashed
     space = 1 if look.parameters == "screen" else 0
-    coloured = look.image is not None and is_coloured(look.image)
+    coloured = image is not None and is_coloured(image)
     return {
         "wanted": wanted,
+        "shown": shown,
         "turns": (cos(radians(look.ridge_angle)), cos(radians(look.valley_angle))),
         "inks": tuple(channel for ink in look.inks for channel in ink),
         "reaches": _reaches(look),
@@ -196,8 +216,9 @@ def _uniforms(look: PaperLook, wanted: int, *, hidden: bool) -> dict[str, Unifor
 
 def _lengths(look: PaperLook, dashed: bool) -> tuple[float, ...]:
     """Pixels after which dashes, or the image, repeat."""
-    widths = (1.0,) * 5 if look.strokes == "thin" else look.widths
-    if dashed or look.image is None:
-        return tuple(max(_DASH, _WIDE_DASH * width) for width in widths)
-    rows, columns = look.image.pixels.shape[:2]
-    return tuple(look.length or max(width * columns / rows, 1.0) for width in widths)
+    thin = look.strokes == "thin"
+    widths = (1.0,) * 5 if thin else look.widths
+    suits = (max(_DASH, _WIDE_DASH * width) for width in widths)
+    if dashed and not thin:
+        return tuple(suits)
+    return tuple(length or one for length, one in zip(look.lengths, suits, strict=True))

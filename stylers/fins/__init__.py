@@ -7,7 +7,7 @@ Visibility", 2010).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import pi
 from typing import ClassVar
@@ -16,10 +16,15 @@ from glshim.geometry.meshshaders.edge_mesh import BOUNDARY, CONTOUR
 from glshim.styling.glsl import glsl
 from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
-from glshim.styling.protocol import Colour, Layer, Styler, option
+from glshim.styling.pictures import is_coloured
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
+from glshim.styling.textures import made
 from glshim.styling.values import Uniform
 
 from ..shared import options
+from ..shared.kinds import Boundaries, Contours, Look, Ridges, Valleys, former_names
+from ..shared.strokes import inked, only
 from .lighting import Lighting, relit
 
 
@@ -41,46 +46,55 @@ SIDES = _shader("sides", _LONG, "LINES"), _shader("short sides", _SHORT, "LINES"
 _SHORTEST = 4.0
 """Pixels of the longest short fin, as in the shader."""
 JOINTS = ("none", "overhang", "round")
-_CONTOURS = Sieve(CONTOUR | BOUNDARY, (pi, pi))
 
 
+_KINDS = {"contour": 1, "boundary": 2}
+"""Bits in the shader, of what fins are drawn for."""
+
+
+@takes_old_names
 @dataclass(frozen=True)
-class Fins(Styler):
+class Fins(Valleys, Ridges, Boundaries, Contours):
     """Fins on contours and open edges, with a spine test (Rideout 2010)."""
 
     name: ClassVar[str] = "fins"
-
-    half_width: float = option(
-        2.0, help="half the width of the lines, rim included", low=0.5, high=64.0, unit="px"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        (*_KINDS, "ridge", "valley"), half_width=Renamed(("width",), factor=2.0)
     )
+
+    ridges: bool = option(False, help="draw ridges, in plain ink: creases that stand out")
+    valleys: bool = option(False, help="draw valleys, in plain ink: creases that lie in")
+    width: float = options.width(4.0, "all lines, rim included", high=128.0)
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    crease_angle: float = options.crease_angle(60.0)
     overhang: float = option(
-        0.15, help="share of its length that a fin is longer by at both ends (joints=overhang)",
+        0.15, help="extra length of a fin at both ends, as a share of its length (joints=overhang)",
         low=0.0, high=1.0,
     )  # fmt: skip
     joints: str = option(
-        "round", help="between fins: round, longer fins that overlap, or gaps", choices=JOINTS
-    )
+        "round", help="joints between fins: round, overlapping (overhang), or gaps (none)",
+        choices=JOINTS,
+    )  # fmt: skip
     tip: float = option(
-        1.0, help="width of the rim over which the ink fades; 0: no smooth edges",
+        1.0, help="width of the rim over which ink fades out; 0: hard edges",
         low=0.0, high=16.0, unit="px",
     )  # fmt: skip
     spine: bool = option(
-        True, help="the middle of a line decides whether all of its width is seen; off: each pixel"
+        True, help="test visibility along the middle of a line; off: at each pixel"
     )
     tolerance: float = options.tolerance(0.0)
-    ink: Colour = option("#000000", help="colour of the lines")
     fill: str | Colour = option(
         "app",
-        help="the surfaces: as the app drew them, lit anew pixel by pixel, in flat bands of that "
-        "light, none, or flat in a colour",
+        help="surfaces: as the program draws them (app), shaded per pixel (lit), in flat bands of "
+        "that shading (cel), not drawn (none), or in one colour",
         choices=("app", "lit", "cel", "none"), colour=True,
     )  # fmt: skip
-    paint: str | Colour = option(
-        "app", help="what lit surfaces are painted with: the app's colours, or one",
-        choices=("app",), colour=True,
-    )  # fmt: skip
+    paint: str | Colour = options.paint()
     shine: float = option(0.4, help="brightness of highlights (lit, cel)", low=0.0, high=1.0)
-    bands: int = option(4, help="shades of light (cel)", low=2, high=16)
+    bands: int = option(4, help="flat shades of light (cel)", low=2, high=16)
 
     @property
     def wants_normals(self) -> bool:
@@ -92,8 +106,12 @@ class Fins(Styler):
         """The option `fill`: what is lit anew is painted over the app's own."""
         return "app" if self.fill in ("lit", "cel") else self.fill
 
-    def draws(self, layer: Layer) -> Iterable[Pass]:
-        """Triangles with adjacency, of which the geometry shader makes fins."""
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in _KINDS else 0.5
+
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
+        """Triangles with adjacency, of which the geometry shader makes fins; and creases in ink,
+        if they are asked for."""
         found = layer.bodies
         if not found:
             return
@@ -101,21 +119,45 @@ class Fins(Styler):
             bands = self.bands if self.fill == "cel" else 0
             look = Lighting(self.paint, self.shine, bands)
             yield from relit(found, layer.light, look, self.tolerance)
+        looks = self.looks()
+        creases = {kind: look for kind, look in looks.items() if kind not in _KINDS}
+        if creases:
+            wanted = only(self.features(self.crease_angle, tolerance=self.tolerance), creases)
+            yield from inked(layer, wanted, creases, texture_length=self.texture_length)
+        alike: dict[Look, int] = {}
+        for kind in filter(looks.__contains__, _KINDS):
+            alike[looks[kind]] = alike.get(looks[kind], 0) | _KINDS[kind]
+        for own, kinds in alike.items():
+            yield from self._fins(layer, own, kinds)
+
+    def _fins(self, layer: Layer, look: Look, kinds: int) -> Iterable[Pass]:
+        """Fins of a look, for some kinds (bits)."""
+        image, repeat = None, 1.0
+        if look.stroke is not None:
+            image, repeat, _ = made(look.texture, look.width, self.texture_length, look.dash)
+        apart = self.spine and image is None
         uniforms: dict[str, Uniform] = {
-            "half_width": self.half_width,
+            "half_width": look.width / 2.0,
             "overhang": self.overhang if self.joints == "overhang" else 0.0,
             "joints": JOINTS.index(self.joints),
             "tip": self.tip,
             "spine": int(self.spine),
-            "ink": self.ink,
+            "apart": int(apart),
+            "kinds": kinds,
+            "ink": look.ink,
+            "textured": 0 if image is None else 2 if is_coloured(image) else 1,
+            "repeat": repeat,
             "hidden_share": 0.0,
         }
-        state = State(depth="always", blend="greatest")
-        for short, shader in enumerate(SIDES if self.spine else SIDES[:1]):
-            shortest = 0.0 if short or not self.spine else _SHORTEST
+        wanted = (CONTOUR if kinds & _KINDS["contour"] else 0) | (
+            BOUNDARY if kinds & _KINDS["boundary"] else 0
+        )
+        for short, shader in enumerate(SIDES if apart else SIDES[:1]):
+            shortest = _SHORTEST if apart and not short else 0.0
             yield Pass(
-                found, shader, "lines", state=state, uniforms=uniforms,
-                sieve=replace(_CONTOURS, shortest=shortest), weld=Weld(self.tolerance), lines=True,
+                layer.bodies, shader, "lines", state=State(depth="always", blend="greatest"),
+                uniforms=uniforms, image=image, sieve=Sieve(wanted, (pi, pi), shortest),
+                weld=Weld(self.tolerance), lines=True,
             )  # fmt: skip
 
 

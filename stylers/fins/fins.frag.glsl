@@ -8,6 +8,10 @@ uniform float tip;      // pixels over which the ink fades at the rim; 0: none
 uniform int spine;      // 1: the depth of the middle decides for all of the width
 uniform int joints;
 
+uniform int textured;   // 1: ink from the texture, 2: with its own colours
+uniform sampler2D stroke;  // along, and across with the inside in its first row
+uniform float repeat;   // pixels after which the texture repeats
+
 noperspective in vec3 reach;
 
 const int ROUND_JOINTS = 2;
@@ -21,9 +25,18 @@ void main() {
     float fade = tip * fwidth(reach.y) / (abs(along.x) + abs(along.y));
     float alpha = d > half_width ? 0.0 : 1.0;
     if (fade > 0.0) alpha = clamp((half_width - d) / fade, 0.0, 1.0);
+    vec4 drawn = vec4(ink, 1.0);
+    if (textured > 0) {
+        // Cut out of the screen: a fin does not know how long the contour is before it.
+        vec2 along_it = abs(along.y) > abs(along.x) ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+        float v = 0.5 + 0.5 * reach.y / half_width;
+        vec4 found = texture(stroke, vec2(dot(gl_FragCoord.xy + shot.xy, along_it) / repeat, v));
+        drawn = textured == 2 ? found : vec4(ink * found.a, found.a);
+    }
+    alpha *= drawn.a > 0.0 ? 1.0 : 0.0;
     if (alpha <= 0.0) discard;
     // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
-    if (spine == 1 ? !seen(clamp(on, 2.0, span - 2.0)) : finished(gl_FragCoord.xy) < reach.z - hair)
+    if (spine == 1 ? !seen(clamp(on, min(2.0, 0.5 * span), max(span - 2.0, 0.5 * span))) : finished(gl_FragCoord.xy) < reach.z - hair)
         discard;
-    colour = vec4(alpha * ink, alpha);
+    colour = alpha * drawn;
 }

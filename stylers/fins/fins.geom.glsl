@@ -20,7 +20,8 @@ flat in int number[];
 uniform float half_width;  // pixels
 uniform float overhang;    // share of its length by which a fin goes on at both ends
 uniform int joints;        // ROUND or not
-uniform int spine;         // 1: the depth of the middle decides for all of the width
+uniform int kinds;         // bits of those that are drawn: CONTOURS, OPEN
+uniform int apart;         // 1: short fins have a shader of their own (SHORT_FINS)
 
 #ifdef SHORT_FINS
 flat out float edge;            // its length, pixels
@@ -31,6 +32,7 @@ const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
 const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of
                                  // such a fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
+const int CONTOURS = 1, OPEN = 2;
 
 // Whether a triangle turns counter-clockwise for the viewer.
 bool is_front(int a, int b, int c) { return faces(place[a], place[b], place[c], eye); }
@@ -84,7 +86,7 @@ void emit(int a, int b, int c, int across, int shape) {
 #ifdef SHORT_FINS
     if (size > SHORT || !seen(0.5 * size)) return;
 #else
-    if (spine == 1 && size <= SHORT) return;
+    if (apart == 1 && size <= SHORT) return;
 #endif
     float side = half_width, beyond_end = joints == ROUND_JOINTS ? side : overhang * size;
     for (int i = 0; i < 4; ++i) {
@@ -111,7 +113,8 @@ void emit(int a, int b, int c, int across, int shape) {
 // In the article the front triangle draws the edge; here the one whose corner off it has the lesser
 // number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
 bool draws(int a, int b, int c, int across) {
-    if (number[across] == number[a]) return true;
+    if (number[across] == number[a]) return (kinds & OPEN) != 0;
+    if ((kinds & CONTOURS) == 0) return false;
     return number[c] <= number[across] && is_front(a, b, c) != is_front(a, across, b);
 }
 

@@ -6,57 +6,59 @@ Clusters", SIGGRAPH 2002: a program that nobody changes, shown as a hidden-line 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, cast
 
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
-from ..shared.features import feature_lines
 from ..shared.intersections import intersection_lines
+from ..shared.kinds import USUAL, FeatureLines, former_names
+from ..shared.strokes import inked
 from ..shared.tones import tone_passes
 
 _WHITE: Colour = (1.0, 1.0, 1.0)
 
 
+@takes_old_names
 @dataclass(frozen=True)
-class HiddenLine(Styler):
+class HiddenLine(FeatureLines):
     """A hidden-line drawing (Chromium's hiddenline unit)."""
 
     name: ClassVar[str] = "hiddenline"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        USUAL, line=Renamed(("ink",)), polygons=Renamed(("fill",))
+    )
 
-    polygons: str | Colour = option(
-        _WHITE, help="colour of the polygons; app: as the app drew them",
+    fill: str | Colour = option(
+        _WHITE, help="surfaces: in one colour, or as the program draws them (app)",
         choices=("app",), colour=True,
     )  # fmt: skip
-    line: Colour = option("#000000", help="colour of the lines")
-    width: float = option(1.5, help="width of the lines", low=0.5, high=64.0, unit="px")
     paper: str | Colour = options.paper(_WHITE)
+    width: float = options.width(1.5)
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
     edges: str = option(
-        "features", help="outlines, creases and open edges, or the sides of all polygons",
-        choices=("features", "all"),
+        "features", help="lines to draw: contours, creases and boundary edges (features), or the "
+        "sides of all polygons", choices=("features", "all"),
     )  # fmt: skip
     crease_angle: float = options.crease_angle(40.0)
-    hidden: str = option(
-        "none", help="lines behind polygons", choices=("none", "dashed", "dimmed")
-    )
+    hidden: str = options.hidden()
     intersections: str = options.intersections()
     tolerance: float = options.tolerance()
 
-    @property
-    def surface(self) -> str | Colour:
-        """The option `polygons`."""
-        return self.polygons
-
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper behind the polygons, and lines."""
-        yield from tone_passes("app", self.paper, self.line, layer)
+        yield from tone_passes("app", self.paper, self.ink, layer)
         # Every side folds by 0 degrees or more one way or the other.
         least = 0.0 if self.edges == "all" else self.crease_angle
-        yield from feature_lines(
-            layer, self.line, outlines=self.width, open_sides=self.width, creases=self.width,
-            crease_angle=least, hidden=cast(Any, self.hidden), tolerance=self.tolerance,
+        yield from inked(
+            layer, self.features(least, tolerance=self.tolerance), self.looks(),
+            texture_length=self.texture_length, hidden=cast(Any, self.hidden),
         )  # fmt: skip
-        yield from intersection_lines(self.intersections, layer, self.width, self.line)
+        yield from intersection_lines(self, self.intersections, layer)

@@ -8,43 +8,52 @@ of the paper, the more the harder one presses, and blenders rub it in).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
+from glshim.styling.lines import Medium
 from glshim.styling.media.hand import pencil
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
-from ..shared.hand import ByHand, strokes
+from ..shared.hand import ByHand, Strokes
 from ..shared.hand.hatching import Hatching, hatched
+from ..shared.kinds import USUAL, former_names
 from .rubbing import Rubbing, rubbed
 
 
+@takes_old_names
 @dataclass(frozen=True)
 class Pencil(ByHand):
     """Soft pencil lines and tones on grained paper."""
 
     name: ClassVar[str] = "pencil"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(USUAL)
 
-    width: float = option(2.6, help="width of an outline's stroke", low=0.5, high=32.0, unit="px")
-    inner: float = option(0.7, help="width of strokes within, of outlines'", low=0.05, high=1.0)
-    opacity: float = option(0.75, help="opacity of one stroke", low=0.02, high=1.0)
-    strokes: int = option(2, help="how often each line is drawn", low=1, high=8)
-    jitter: float = option(1.1, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
-    overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    hatching: float = option(0.85, help="strokes in dark places", low=0.0, high=1.0)
-    rubbing: float = option(0.7, help="soft tone, rubbed into the paper", low=0.0, high=1.0)
+    width: float = options.width(2.6, "outlines", high=32.0)
+    inner: float = options.inner(0.7)
+    opacity: float = options.opacity(0.75)
+    strokes: int = options.repeats(2, most=8)
+    jitter: float = options.jitter(1.1)
+    overshoot: float = options.overshoot(5.0)
+    texture: str = options.texture("pencil")
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    hatching: float = option(0.85, help="strength of hatching in dark areas", low=0.0, high=1.0)
+    rubbing: float = option(0.7, help="strength of smudged tone", low=0.0, high=1.0)
     coloured: float = option(
-        0.0, help="the app's own colours: 0 graphite, 1 coloured pencils", low=0.0, high=1.0
-    )
+        0.0, help="strength of the program's own colours; 0: graphite, 1: coloured pencils",
+        low=0.0, high=1.0,
+    )  # fmt: skip
     boil: float = options.boil()
     seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#2b2a2d", help="colour of the graphite")
+    ink: Colour = options.ink("#2b2a2d", "lines and tones")
     paper: Colour = option("#f8f6f0", help="colour of the paper")
 
     @property
@@ -62,8 +71,16 @@ class Pencil(ByHand):
             ),
             layer,
         )  # fmt: skip
-        medium = pencil(
-            self.width, self.ink, inner=self.inner, opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, scale=layer.scale,
-        )  # fmt: skip
-        yield from strokes(self.hand(medium, self.strokes), layer)
+
+        def medium(look: Strokes) -> Medium:
+            return pencil(
+                self.width, self.ink, inner=self.inner, widths=look.widths, colours=look.colours,
+                opacity=self.opacity, wobble=self.jitter, overshoot=self.overshoot,
+                texture=look.texture, texture_length=self.texture_length, dash=look.dash,
+                scale=layer.scale,
+            )  # fmt: skip
+
+        yield from self.by_hand(medium, self.strokes, layer)
+
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in ("contour", "boundary") else self.inner

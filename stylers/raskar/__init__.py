@@ -6,82 +6,71 @@ sections 2.1 to 2.4. The formulas stand in `glshim.geometry.raskar`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from math import radians
 from typing import ClassVar
 
-from glshim.styling.media.ink import ink
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.wishes import Choice
 
 from ..shared import options
+from ..shared.kinds import Contours, Intersections, Look, Ridges, Valleys, former_names
+from ..shared.strokes import inked
 
 
+@takes_old_names
 @dataclass(frozen=True)
-class Raskar(Styler):
+class Raskar(Intersections, Valleys, Ridges, Contours):
     """Ink on silhouettes, ridges, valleys and intersections (Raskar 2001)."""
 
     name: ClassVar[str] = "raskar"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        ("contour", "ridge", "valley", "intersection")
+    )
 
-    silhouettes: bool = option(True, help="ink where front-facing polygons meet back-facing ones")
-    ridges: bool = option(True, help="ink where the dihedral angle is at most ridge_angle")
-    valleys: bool = option(True, help="ink where the dihedral angle is more than valley_angle")
+    contours: bool = option(
+        True, help="draw contours: where front-facing polygons meet back-facing ones"
+    )
     intersections: bool = option(
-        False, help="ink where polygons pass through each other (draws them twice more)"
+        False, help="draw lines where polygons pass through each other; draws them twice more"
     )
-    silhouette_width: float = option(
-        2.5, help="width of a silhouette, outside the object", low=0.5, high=64.0, unit="px"
-    )
-    ridge_width: float = option(
-        2.5, help="width of a ridge, half on either side of the edge", low=0.5, high=64.0, unit="px"
-    )
-    valley_width: float = option(
-        2.5,
-        help="width of a valley, half on either side of the edge",
-        low=0.5,
-        high=64.0,
-        unit="px",
-    )
-    intersection_width: float = option(
-        2.5, help="width of an intersection, half on either side", low=0.5, high=64.0, unit="px"
-    )
-    ridge_angle: float = option(
-        120.0, help="greatest dihedral angle of a ridge", low=0.0, high=360.0, unit="degrees"
-    )
-    valley_angle: float = option(
-        240.0, help="a valley has a greater dihedral angle", low=0.0, high=360.0, unit="degrees"
-    )
-    connectivity: bool = option(
-        True, help="off: no polygon knows its neighbours, depth alone decides, as in the paper"
-    )
-    texture: str = options.texture("silhouettes")
-    texture_length: float = options.texture_length("a silhouette")
+    width: float = options.width(2.5)
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
     texture_on: str = option(
-        "silhouettes", help="the lines that have the texture", choices=("silhouettes", "all")
+        "silhouettes", help="lines that texture applies to", choices=("silhouettes", "all")
     )
-    ink: Colour = option("#000000", help="colour of the lines")
+    dash: float = options.dash()
+    crease_angle: float = options.crease_angle(60.0)
+    ridge_angle: float | None = options.ridge_angle()
+    valley_angle: float | None = options.valley_angle()
+    connectivity: bool = option(
+        True, help="find neighbouring polygons; off: depth alone decides, as in the paper"
+    )
     fill: str | Colour = options.fill()
+
+    def usual(self, kind: str) -> Look:
+        """Of the lines that `texture_on` leaves out without a texture."""
+        found = super().usual(kind)
+        textured = kind == "contour" or self.texture_on == "all"
+        return found if textured else replace(found, texture="none")
 
     def draws(self, layer: Layer) -> Iterable[Lines]:
         """Rings around back-facing polygons, strokes on front-facing ones."""
-        if not (self.silhouettes or self.ridges or self.valleys or self.intersections):
+        looks = self.looks()
+        if not looks:
             return
+        turn = self.crease_angle
+        ridge = 180.0 - turn if self.ridge_angle is None else self.ridge_angle
+        valley = 180.0 + turn if self.valley_angle is None else self.valley_angle
         wanted = Choice(
-            silhouettes=self.silhouettes,
-            ridge_angle=radians(self.ridge_angle) if self.ridges else None,
-            valley_angle=radians(self.valley_angle) if self.valleys else None,
+            silhouettes=self.contours,
+            ridge_angle=radians(ridge) if self.ridges else None,
+            valley_angle=radians(valley) if self.valleys else None,
             intersections=self.intersections,
             connectivity=self.connectivity,
         )
-        medium = ink(
-            colour=self.ink,
-            widths={
-                "silhouettes": self.silhouette_width, "ridges": self.ridge_width,
-                "valleys": self.valley_width, "intersections": self.intersection_width,
-            },
-            texture=self.texture,
-            texture_length=self.texture_length,
-            textured=("silhouettes",) if self.texture_on == "silhouettes" else None,
-        )  # fmt: skip
-        yield Lines(layer.bodies, wanted, medium)
+        yield from inked(layer, wanted, looks, texture_length=self.texture_length)

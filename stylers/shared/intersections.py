@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from glshim.styling.media.ink import ink
-from glshim.styling.protocol import Colour, Layer, Lines
+from glshim.styling.protocol import Layer, Lines
 from glshim.styling.wishes import Choice
+
+from .kinds import LineStyle
+from .strokes import inked
 
 _MANY = 20_000
 
@@ -22,9 +24,10 @@ def looked_for(intersections: str, layer: Layer) -> bool:
     return intersections == "on" or (intersections == "auto" and not is_dense(layer))
 
 
-def intersection_lines(
-    intersections: str, layer: Layer, width: float, colour: Colour
-) -> Iterable[Lines]:
-    """Those of a layer; intersections: ``auto``, ``on`` or ``off``; width in pixels."""
+def intersection_lines(style: LineStyle, intersections: str, layer: Layer) -> Iterable[Lines]:
+    """Those of a layer, as a style has them; intersections: ``auto``, ``on`` or ``off``."""
     if looked_for(intersections, layer):
-        yield Lines(layer.bodies, Choice(intersections=True), ink(width, colour))
+        looks = {"intersection": style.look("intersection")}
+        yield from inked(
+            layer, Choice(intersections=True), looks, texture_length=style.texture_length
+        )

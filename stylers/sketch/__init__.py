@@ -2,40 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from glshim.styling.media.hand import hand
+from glshim.styling.lines import Medium
+from glshim.styling.media.hand import hand, pictured
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
-from ..shared.hand import ByHand, strokes
+from ..shared.hand import ByHand, Strokes
 from ..shared.hand.hatching import Hatching, hatched
 from ..shared.hand.paper import Paper, under
+from ..shared.kinds import USUAL, former_names
 
 
+@takes_old_names
 @dataclass(frozen=True)
 class Sketch(ByHand):
     """Jittered pencil strokes, hatched by the light, on paper (NPRQuake)."""
 
     name: ClassVar[str] = "sketch"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(USUAL)
 
-    width: float = option(2.0, help="width of a stroke", low=0.5, high=32.0, unit="px")
-    opacity: float = option(0.25, help="opacity of one stroke", low=0.02, high=1.0)
-    strokes: int = option(6, help="how often each line is drawn", low=1, high=16)
-    jitter: float = option(1.6, help="how far a stroke strays", low=0.0, high=32.0, unit="px")
-    overshoot: float = option(5.0, help="how far strokes go on", low=0.0, high=64.0, unit="px")
-    hatching: float = option(0.8, help="how darkly dark places are hatched", low=0.0, high=1.0)
+    width: float = options.width(2.0, high=32.0)
+    opacity: float = options.opacity(0.25)
+    strokes: int = options.repeats(6, most=16)
+    jitter: float = options.jitter(1.6)
+    overshoot: float = options.overshoot(5.0)
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    hatching: float = option(0.8, help="strength of hatching in dark areas", low=0.0, high=1.0)
     boil: float = options.boil()
     seed: int = options.seed()
     crease_angle: float = options.crease_angle(60.0)
     tolerance: float = options.tolerance()
     intersections: str = options.intersections()
-    ink: Colour = option("#1b1b1e", help="colour of the strokes")
+    ink: Colour = options.ink("#1b1b1e", "strokes and hatching")
     paper: Colour = option("#faf8f2", help="colour of the paper")
-    tint: float = option(0.3, help="how much of the app's own colours", low=0.0, high=1.0)
+    tint: float = option(0.3, help="strength of the program's own colours", low=0.0, high=1.0)
 
     @property
     def wants_normals(self) -> bool:
@@ -52,8 +60,13 @@ class Sketch(ByHand):
             ),
             layer,
         )  # fmt: skip
-        medium = hand(
-            self.width, self.ink, opacity=self.opacity, wobble=self.jitter,
-            overshoot=self.overshoot, pressure=0.3, taper=14.0 * layer.scale, scale=layer.scale,
-        )  # fmt: skip
-        yield from strokes(self.hand(medium, self.strokes), layer)
+
+        def medium(look: Strokes) -> Medium:
+            return hand(
+                self.width, self.ink, widths=look.widths, colours=look.colours,
+                opacity=self.opacity, wobble=self.jitter, overshoot=self.overshoot, pressure=0.3,
+                taper=14.0 * layer.scale, scale=layer.scale,
+                **pictured(look.texture, self.width, self.texture_length, look.dash),
+            )  # fmt: skip
+
+        yield from self.by_hand(medium, self.strokes, layer)

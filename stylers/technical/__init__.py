@@ -7,19 +7,20 @@ programs have strong ones, which keep more of their own here.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar, cast
 
 from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
-from glshim.styling.protocol import Colour, Layer, Lines, Styler, option
+from glshim.styling.protocol import Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.values import Uniform
 
 from ..shared import options
-from ..shared.features import feature_lines
 from ..shared.intersections import intersection_lines, is_dense
+from ..shared.kinds import USUAL, FeatureLines, Look, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
@@ -29,55 +30,56 @@ from ..shared.shading import (
     lit_passes,
     screen_shader,
 )
+from ..shared.strokes import inked, only
 from ..shared.tones import tone_passes
 
 _SHADER = screen_shader("gooch", glsl(__file__, "gooch.frag"), bent=NEAR_ENOUGH)
 _WHITE: Colour = (1.0, 1.0, 1.0)
+_OUTLINES = ("contour", "boundary")
 
 
+@takes_old_names
 @dataclass(frozen=True)
-class Technical(Styler):
+class Technical(FeatureLines):
     """Cool-to-warm tones, wide outlines, fine creases, dashed hidden lines (Gooch et al. 1998)."""
 
     name: ClassVar[str] = "technical"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(USUAL)
 
     blue: float = option(0.25, help="blue of the cool tone (the paper's b)", low=0.0, high=1.0)
     yellow: float = option(
-        0.2, help="red and green of the warm tone (the paper's y)", low=0.0, high=1.0
+        0.2, help="yellow of the warm tone (the paper's y)", low=0.0, high=1.0
     )
-    alpha: float = option(0.35, help="share of the paint in the cool tone", low=0.0, high=1.0)
-    beta: float = option(0.75, help="share of the paint in the warm tone", low=0.0, high=1.0)
-    highlight: float = option(
-        0.4, help="brightness of highlights, where surfaces of shiny materials are bent",
-        low=0.0, high=1.0,
-    )  # fmt: skip
-    gloss: float = option(
-        30.0, help="exponent of highlights: greater is smaller", low=1.0, high=1000.0
+    alpha: float = option(
+        0.35, help="surface colour mixed into the cool tone (the paper's alpha)", low=0.0, high=1.0
     )
+    beta: float = option(
+        0.75, help="surface colour mixed into the warm tone (the paper's beta)", low=0.0, high=1.0
+    )
+    highlight: float = options.highlight(0.4)
+    gloss: float = options.gloss(30.0)
     light: str = option(
-        "fixed", help="where warm tones face: upper left of the viewer, or the app's first light",
-        choices=("fixed", "app"),
+        "fixed", help="direction of the warm tones: the viewer's upper left (fixed), or the "
+        "program's first light (app)", choices=("fixed", "app"),
     )  # fmt: skip
-    paint: str | Colour = option(
-        "app", help="what surfaces are painted with: the app's colours, or one",
-        choices=("app",), colour=True,
-    )  # fmt: skip
+    paint: str | Colour = options.paint()
     shade_unlit: str = options.shade_unlit()
     textures: str = options.textures()
     paper: str | Colour = options.paper(_WHITE)
-    outline_width: float = option(2.5, help="width of outlines", low=0.5, high=64.0, unit="px")
-    line_width: float = option(1.0, help="width of the other lines", low=0.5, high=64.0, unit="px")
-    ink: Colour = option("#000000", help="colour of the lines")
+    width: float = options.width(2.5, "outlines")
+    inner: float = options.inner(0.4)
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture()
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
     white_edges: bool = option(
-        False, help="ridges that are seen in white, as light catches them, not in ink"
+        False, help="draw visible ridges in white, as edges that catch the light"
     )
     hidden: str = option(
-        "auto", help="lines behind surfaces; auto: dashed of what has at most 20,000 polygons",
+        "auto", help="lines behind surfaces; auto: dashed, up to 20,000 polygons",
         choices=("auto", "none", "dashed", "dimmed", "solid"),
     )  # fmt: skip
-    hidden_share: float = option(
-        0.4, help="share of the ink of hidden lines that are dashed or solid", low=0.0, high=1.0
-    )
+    hidden_share: float = options.hidden_share(0.4)
     crease_angle: float = options.crease_angle(40.0)
     intersections: str = options.intersections()
     tolerance: float = options.tolerance()
@@ -110,11 +112,17 @@ class Technical(Styler):
             yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
         yield from tone_passes("app", self.paper, self.ink, layer)
         yield from self._fine_lines(layer)
-        yield from feature_lines(
-            layer, self.ink, outlines=self.outline_width, open_sides=self.outline_width,
-            tolerance=self.tolerance,
-        )  # fmt: skip
-        yield from intersection_lines(self.intersections, layer, self.line_width, self.ink)
+        looks = self.looks().items()
+        yield from self._inked(layer, {kind: look for kind, look in looks if kind in _OUTLINES})
+        yield from intersection_lines(self, self.intersections, layer)
+
+    def share(self, kind: str) -> float:
+        return 1.0 if kind in _OUTLINES else self.inner
+
+    def usual(self, kind: str) -> Look:
+        """Ridges may be white."""
+        found = super().usual(kind)
+        return replace(found, ink=_WHITE) if self.white_edges and kind == "ridge" else found
 
     def _lamp(self, layer: Layer) -> Light:
         given = layer.lighting.lights if layer.lighting is not None else ()
@@ -125,10 +133,19 @@ class Technical(Styler):
         hidden = self.hidden
         if hidden == "auto":
             hidden = "none" if is_dense(layer) else "dashed"
-        width = self.line_width
-        return feature_lines(
-            layer, self.ink, outlines=width if hidden != "none" else None, open_sides=width,
-            creases=width, crease_angle=self.crease_angle,
-            ridge_colour=_WHITE if self.white_edges else None, hidden=cast(Any, hidden),
-            hidden_share=self.hidden_share, tolerance=self.tolerance,
+        fine = self.width * self.inner
+        looks = {
+            kind: replace(look, width=fine) if kind in _OUTLINES else look
+            for kind, look in self.looks().items()
+            if kind != "contour" or hidden != "none"
+        }
+        return self._inked(layer, looks, hidden)
+
+    def _inked(
+        self, layer: Layer, looks: Mapping[str, Look], hidden: str = "none"
+    ) -> Iterable[Lines]:
+        wanted = only(self.features(self.crease_angle, tolerance=self.tolerance), looks)
+        return inked(
+            layer, wanted, looks, texture_length=self.texture_length, hidden=cast(Any, hidden),
+            hidden_share=self.hidden_share,
         )  # fmt: skip

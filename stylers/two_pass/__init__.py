@@ -9,36 +9,63 @@ shows the sides of all its polygons.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from glshim.styling.protocol import BackFaces, Colour, Layer, Styler, option
+from glshim.styling.protocol import BackFaces, Colour, Layer, Lines, option
+from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
+from ..shared.kinds import Ridges, Valleys, dash_of, former_names, ink_of, width_of
+from ..shared.strokes import inked
 
 
+@takes_old_names
 @dataclass(frozen=True)
-class TwoPass(Styler):
+class TwoPass(Valleys, Ridges):
     """Silhouettes by the fixed function alone: back faces as lines (Lander 2000, Rideout 2010)."""
 
     name: ClassVar[str] = "two_pass"
     alone: ClassVar[str] = "its lines lie below all that others draw; take crease or raskar"
+    former: ClassVar[Mapping[str, Renamed]] = former_names(("contour", "ridge", "valley"))
 
+    contours: bool = option(True, help="draw contours: back faces as lines")
+    contour_width: float | None = width_of("contours")
+    contour_ink: Colour | None = ink_of("contours")
+    contour_dash: float | None = dash_of("contours")
+    ridges: bool = option(False, help="draw ridges, by shaders: creases that stand out")
+    valleys: bool = option(False, help="draw valleys, by shaders: creases that lie in")
     width: float = option(
-        5.0, help="width of the lines, of which half shows outside an object; as far as the "
-        "driver draws them", low=1.0, high=64.0, unit="px",
+        5.0, help="width of contours, half of it outside the object; limited by the driver",
+        low=1.0, high=64.0, unit="px",
     )  # fmt: skip
-    smooth: bool = option(True, help="lines with smooth edges (GL_LINE_SMOOTH)")
-    ink: Colour = option("#000000", help="colour of the lines")
-    fill: str | Colour = options.fill("the front faces")
+    ink: Colour = options.ink("#000000")
+    texture: str = options.texture("none", "ridges and valleys")
+    texture_length: float = options.texture_length()
+    dash: float = options.dash()
+    crease_angle: float = options.crease_angle(60.0)
+    tolerance: float = options.tolerance()
+    smooth: bool = option(True, help="antialias contours (GL_LINE_SMOOTH)")
+    fill: str | Colour = options.fill("front faces")
 
     @property
     def surface(self) -> str | Colour:
         """Depth alone under flat front faces: those need no shader, as a colour here would."""
-        return "app" if self.fill == "app" else "none"
+        return self.fill if self.fill == "app" or not self.contours else "none"
 
-    def draws(self, layer: Layer) -> Iterable[BackFaces]:
-        """All of them at once."""
+    def share(self, kind: str) -> float:
+        return 1.0 if kind == "contour" else 0.5
+
+    def draws(self, layer: Layer) -> Iterable[BackFaces | Lines]:
+        """All contours at once, and creases, if they are asked for."""
         fill = None if isinstance(self.fill, str) else self.fill
-        yield BackFaces(layer.bodies, self.width, self.ink, fill, self.smooth)
+        looks = self.looks()
+        contour = looks.pop("contour", None)
+        if contour is not None:
+            yield BackFaces(
+                layer.bodies, contour.width, contour.ink, fill, self.smooth, contour.dash
+            )
+        if looks:
+            wanted = self.features(self.crease_angle, tolerance=self.tolerance)
+            yield from inked(layer, wanted, looks, texture_length=self.texture_length)

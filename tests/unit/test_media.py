@@ -32,8 +32,8 @@ def test_widths_and_colours_by_kind():
     assert [colour == RED for colour in medium.uniforms["inks"]].index(True) == GROUP_OF["ridges"]
     with pytest.raises(StyleError, match="no lines are called 'ridge': did you mean ridges"):
         ink(widths={"ridge": 3.0})
-    with pytest.raises(StyleError, match="'red' is not a colour"):
-        ink(colour="red")
+    with pytest.raises(StyleError, match="'redd' is not a colour"):
+        ink(colour="redd")
 
 
 def test_a_texture_repeats_sooner_on_narrower_lines_that_have_it():

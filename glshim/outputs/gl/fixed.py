@@ -143,6 +143,8 @@ class FixedPen:
                 continue
             for switch in (GL_LINE_SMOOTH, GL_BLEND):
                 (gl.glEnable if draw.smooth else gl.glDisable)(switch)
+            (gl.glEnable if draw.dash > 0.0 else gl.glDisable)(GL_LINE_STIPPLE)
+            gl.glLineStipple(*_stipple(draw.dash))
             gl.glLineWidth(_possible_width(draw.width, draw.smooth))
             self._draw(items, draw.ink)
 
@@ -251,6 +253,14 @@ def _seen(draw: BackFaces) -> list[Item]:
 def _can_be_seen(camera: Camera) -> bool:
     finite = np.isfinite(camera.modelview).all() and np.isfinite(camera.projection).all()
     return bool(finite) and min(camera.viewport[2:]) > 0
+
+
+def _stipple(dash: float) -> tuple[int, int]:
+    """Factor and pattern of dashes that take so many pixels with their gaps, about."""
+    bits = next((bits for bits in (2, 4, 8) if dash < 1.5 * bits), 16)
+    drawn = (1 << round(0.6 * bits)) - 1
+    pattern = sum(drawn << place for place in range(0, 16, bits))
+    return min(max(round(dash / bits), 1), 256), pattern
 
 
 def _possible_width(width: float, smooth: bool) -> float:

@@ -11,6 +11,7 @@ uniform float textured;       // 1.0: with a brush
 uniform float tiles;          // brushes for each repeat of the motion
 uniform float tinted;         // 1.0: the brush is grey and takes the line's colour
 uniform sampler2D stroke;     // premultiplied
+uniform float begins;         // 1.0: a stroke begins anywhere in the picture; 0.0: all where it does
 uniform float bristles;       // pixels over which a brush's hairs leave the paper, one after another
 
 // Ink that the hairs of a brush lay down so many pixels after a stroke begins and before it ends,
@@ -42,7 +43,7 @@ void main() {
     float cover = clamp(max(half_width, 0.5) + 0.5 - off, 0.0, 1.0) * min(half_width / 0.5, 1.0);
     vec4 drawn = vec4(inks[group], 1.0);
     if (textured > 0.0) {
-        vec2 place = vec2(tiles * at + chance(5.0), 0.5 + 0.5 * way() * s / half_width);
+        vec2 place = vec2(tiles * at + begins * chance(5.0), 0.5 + 0.5 * way() * s / half_width);
         drawn = texture(stroke, place);
         if (tinted > 0.0) drawn.rgb *= inks[group];
         if (bristles > 0.0 && left < 4.0 * bristles)

@@ -21,7 +21,7 @@ from glshim.styling.media.hand_expansion import expand
 from glshim.styling.media.ink import STROKE, TRACE
 from glshim.styling.media.kinds import colours_of_each, of_each
 from glshim.styling.pictures import Image
-from glshim.styling.textures.brushes import brush as picture_of
+from glshim.styling.textures import made
 from glshim.styling.values import Colour
 from glshim.styling.wishes import Pattern
 
@@ -57,6 +57,7 @@ def hand(
     length: float = _PERIOD,
     coloured: bool = False,
     bristles: float = 0.0,
+    aligned: bool = False,
     scale: float = 1.0,
     seed: int = 0,
 ) -> Medium:
@@ -68,8 +69,9 @@ def hand(
     by which they swell and thin. taper: over which they grow thin at their ends. tip: of a stroke
     that is drawn in its full width; shorter ones are thinner, as drawn with the tip of the pen.
     corner: degrees of a turn on the screen at which the pen is lifted. image: a brush, so long,
-    with colours of its own or not, whose hairs leave the paper over some pixels (bristles). scale:
-    pixels for one of the window (`Layer.scale`). seed: each draws with other motions.
+    with colours of its own or not, whose hairs leave the paper over some pixels (bristles).
+    aligned: strokes begin where it does, so that dashes lie over each other. scale: pixels for one
+    of the window (`Layer.scale`). seed: each draws with other motions.
     """
     tiles = max(round(_PERIOD * scale / length), 1)  # pictures may be short
     period = length * tiles if image is not None else _PERIOD * scale
@@ -90,12 +92,22 @@ def hand(
             "textured": float(image is not None),
             "tinted": float(not coloured),
             "tiles": float(tiles),
+            "begins": float(not aligned),
             "bristles": bristles,
         },
         image,
         Pattern((period,) * GROUPS, 0.0, radians(corner)),
     )
     return reseeded(medium, seed)
+
+
+def pictured(texture: str, width: float, length: float = 0.0, dash: float = 0.0) -> dict[str, Any]:
+    """The arguments of `hand` that a texture and dashes give it, as of `ink`; none where there is
+    neither."""
+    if texture == "none" and dash <= 0.0:
+        return {}
+    image, length, coloured = made(texture, width, length, dash)
+    return {"image": image, "length": length, "coloured": coloured, "aligned": dash > 0.0}
 
 
 def reseeded(medium: Medium, seed: int) -> Medium:
@@ -110,20 +122,26 @@ def pencil(
     colour: Colour | str = "#2b2a2d",
     *,
     inner: float = 0.7,
+    widths: Mapping[str, float] | None = None,
+    colours: Mapping[str, Colour | str] = _NONE,
     opacity: float = 0.75,
     wobble: float = 1.1,
     overshoot: float = 5.0,
+    texture: str = "pencil",
+    texture_length: float = 0.0,
+    dash: float = 0.0,
     scale: float = 1.0,
     seed: int = 0,
 ) -> Medium:
     """A soft pencil, whose graphite the tooth of the paper holds. width: pixels of outlines; inner:
-    share of it of the other lines; the rest as of `hand`. Pencil lines are drawn twice or so, with
-    a seed and a coat for each."""
-    image, length, _ = picture_of("pencil", 2.0 * width)
+    share of it of the other lines, or widths by kind; texture, dash: as of `ink`; the rest as of
+    `hand`. Pencil lines are drawn twice or so, with a seed and a coat for each."""
+    wide = outlines(width) if widths is None else widths
     return hand(
-        2.0 * inner * width, colour, widths=outlines(2.0 * width), opacity=opacity, wobble=wobble,
-        overshoot=overshoot, pressure=0.35, taper=18.0 * scale, tip=50.0 * scale, image=image,
-        length=length, scale=scale, seed=seed,
+        2.0 * inner * width, colour, widths={kind: 2.0 * own for kind, own in wide.items()},
+        colours=colours, opacity=opacity, wobble=wobble, overshoot=overshoot, pressure=0.35,
+        taper=18.0 * scale, tip=50.0 * scale, scale=scale, seed=seed,
+        **pictured(texture, 2.0 * width, texture_length, dash),
     )  # fmt: skip
 
 
@@ -133,19 +151,23 @@ def brush(
     colour: Colour | str = "#1f1b24",
     *,
     inner: float = 0.7,
+    widths: Mapping[str, float] | None = None,
+    colours: Mapping[str, Colour | str] = _NONE,
     opacity: float = 0.92,
     wobble: float = 1.4,
     overshoot: float = 6.0,
+    texture_length: float = 0.0,
+    dash: float = 0.0,
     scale: float = 1.0,
     seed: int = 0,
 ) -> Medium:
     """A brush: one of `glshim.styling.textures.brushes.BRUSHES`, or the path of a picture; the rest
     as of `pencil`."""
-    image, length, coloured = picture_of(picture, width)
     return hand(
-        inner * width, colour, widths=outlines(width), opacity=opacity, wobble=wobble,
-        overshoot=overshoot, pressure=0.25, taper=1.5 * width, image=image, length=length,
-        coloured=coloured, bristles=_BRISTLES * width, tip=_FULL * width, scale=scale, seed=seed,
+        inner * width, colour, widths=outlines(width) if widths is None else widths,
+        colours=colours, opacity=opacity, wobble=wobble, overshoot=overshoot, pressure=0.25,
+        taper=1.5 * width, bristles=_BRISTLES * width, tip=_FULL * width, scale=scale, seed=seed,
+        **pictured(picture, width, texture_length, dash),
     )  # fmt: skip
 
 

@@ -44,6 +44,7 @@ def ink(
     colours: Mapping[str, Colour | str] = _NONE,
     texture: str = "none",
     texture_length: float = 0.0,
+    dash: float = 0.0,
     textured: Collection[str] | None = None,
     hidden: Hidden = "none",
     hidden_share: float = 1.0,
@@ -53,15 +54,20 @@ def ink(
 
     widths, colours: of lines of some kinds, as `Choice` and `Features` call them. texture: one of
     `glshim.styling.textures.MADE`, or the path of a picture, which repeats after texture_length
-    pixels (0: what suits it), on narrower lines sooner; textured: kinds of lines that have it, None
-    for all. hidden: what is behind surfaces; of dashed and solid lines hidden_share of the ink.
+    pixels (0: what suits it), on narrower lines sooner; dash: pixels of a dash with the gap after
+    it, 0 for none; textured: kinds of lines that have both, None for all. hidden: what is behind
+    surfaces; of dashed and solid lines hidden_share of the ink.
     """
     wide = of_each(width, widths)
-    first = wide[group_of_kind("silhouettes")]
+    measure = group_of_kind("silhouettes")
+    outline = wide[measure]
+    if textured and measure not in map(group_of_kind, textured):
+        measure = group_of_kind(next(iter(textured)))
+    first = wide[measure]
     image, pattern, coloured = None, None, False
-    middle = first / 2.0 - INWARD
-    if texture != "none":
-        image, length, coloured = made(texture, first, texture_length)
+    middle = outline / 2.0 - INWARD
+    if texture != "none" or dash > 0.0:
+        image, length, coloured = made(texture, first, texture_length, dash)
         groups = range(GROUPS) if textured is None else {group_of_kind(kind) for kind in textured}
         lengths = (length * own / first if k in groups else 0.0 for k, own in enumerate(wide))
         pattern = Pattern(tuple(lengths), middle)
@@ -89,4 +95,4 @@ def dashes(
     width: float = 2.5, colour: Colour | str = "#000000", *, length: float = 12.0
 ) -> Medium:
     """Dashed ink: a dash with the gap after it takes so many pixels."""
-    return ink(width, colour, texture="dashed", texture_length=length)
+    return ink(width, colour, dash=length)

@@ -157,15 +157,16 @@ BRUSHES = tuple(_MADE)
 """The brushes made here, by name."""
 
 
-def brush(name: str, width: float) -> tuple[Image, float, bool]:
+def brush(name: str, width: float, length: float = 0.0) -> tuple[Image, float, bool]:
     """The picture of a brush, or of a file, for strokes of a width in pixels; the pixels along
-    after which it repeats; and whether it has colours of its own."""
+    after which it repeats (length, or where that is 0 what suits); and whether it has colours of
+    its own."""
     if name in _MADE:
-        length = max(_LEAST, 24.0 * width)
+        length = length or max(_LEAST, 24.0 * width)
         return _image(name, width, length), length, False
     image = read_image(name)
     height, columns = image.pixels.shape[:2]
-    return image, width * columns / height, is_coloured(image)
+    return image, length or width * columns / height, is_coloured(image)
 
 
 @lru_cache(maxsize=16)
