@@ -58,7 +58,8 @@ def directive(name: str) -> list[str]:
     if callable(value) and not hasattr(value, "__origin__"):
         return [f".. autofunction:: glshim.{name}", ""]
     home = glshim._HOME_OF[name]  # only there it has a docstring
-    return [f".. autodata:: {home}.{name}", ""]
+    hidden = ["   :no-value:"] if isinstance(value, str) else []  # the text of a shader
+    return [f".. autodata:: {home}.{name}", *hidden, ""]
 
 
 def shorten(
