@@ -38,6 +38,9 @@ class PrimitiveSink(Protocol):
     def unfinished(self, mode: int, stream: bytes) -> None:
         """A list ends inside the primitive that it began."""
 
+    def listed(self) -> int:
+        """How many things the list being compiled is known to hold; 0 without one."""
+
 
 class ShapeSink(Protocol):
     """Who wants to know about shapes that C libraries draw."""

@@ -172,7 +172,7 @@ def _others(
     state: Record, row: Attribute, real: Call
 ) -> Callable[[tuple[Any, ...], dict[str, Any]], Any]:
     """What is called outside primitives, what is not held back, and arguments of any other kind."""
-    said = conversions.recorded(row)
+    said, arrives = conversions.recorded(row), conversions.ELEMENTS[row.type]
     known = frozenset((int,)) if row.type in INTEGERS else REALS
     converted: _Converted | None = None
 
@@ -187,7 +187,7 @@ def _others(
                 state.spill()
                 result = real(*args, **named)
                 if state.shadow and len(args) == row.size and known.issuperset(map(type, args)):
-                    state.write(said(args))
+                    state.write(said([arrives(value).value for value in args]))
                 return result
             converted = _Converted(state, row, real, function, vector=False)
         return converted(args, named)

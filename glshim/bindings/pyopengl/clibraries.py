@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Hashable
+from contextlib import nullcontext
 from functools import partial
 from types import ModuleType
 from typing import Any
@@ -28,7 +29,7 @@ from glshim.spec.shapes import (
     ShapeRole,
     shape_role,
 )
-from glshim.system.interrupts import is_ours
+from glshim.system.interrupts import Held, is_ours
 
 _OF_QUADRICS = frozenset((
     ShapeRole.QUADRIC_STYLE, ShapeRole.QUADRIC_ORIENTATION, ShapeRole.QUADRIC_END,
@@ -36,8 +37,9 @@ _OF_QUADRICS = frozenset((
 """They draw nothing."""
 _OF_NUMBERS = _OF_QUADRICS | {ShapeRole.SOLID, ShapeRole.QUADRIC}
 """What their arguments arrive as is all that matters; where these are no arrays."""
-Described = Callable[[tuple[Any, ...]], tuple[Any, Shape | None]]
-"""Makes a call with these arguments: its result, and what it has drawn."""
+Tell = Callable[[Shape | None], None]
+Described = Callable[[tuple[Any, ...], Tell], Any]
+"""Makes a call with these arguments, tells what it has drawn, and gives its result."""
 
 
 class CLibraries:
@@ -82,9 +84,9 @@ class CLibraries:
         if role in _OF_NUMBERS:
             types = letters(function)
             if types is not None:
-                described = partial(self._numbers, name, role, Numeric(function, types), call)
+                described = partial(self._numbers, name, role, Numeric(function, types))
         if role in _OF_QUADRICS:
-            return lambda *args: described(args)[0]
+            return lambda *args: described(args, _to_nobody)
 
         def hook(*args: Any) -> Any:
             watcher, record = self._watcher, RECORDER.record
@@ -93,24 +95,27 @@ class CLibraries:
                 return call(*args)
             watcher.before_shape(name)
             try:
-                result, shape = described(args)
+                return described(args, watcher.after_shape)
             except BaseException:
                 watcher.after_shape(None)
                 raise
-            watcher.after_shape(shape)
-            return result
 
         return hook
 
     def _numbers(
-        self, name: str, role: ShapeRole, numeric: Numeric, call: Call, args: tuple[Any, ...]
-    ) -> tuple[Any, Shape | None]:
+        self, name: str, role: ShapeRole, numeric: Numeric, args: tuple[Any, ...], tell: Tell
+    ) -> Any:
         if numeric.takes_others():
-            return call(*args), None
+            result = numeric.usual(*args)
+            tell(None)
+            return result
         values = numeric.arrived(args)
-        numeric(values)
-        result = numeric.checked(args)
-        return result, _contained(name, lambda: self._of_numbers(name, role, numeric, values))
+        # What is known of a list is what is in it. Outside, a handler costs lines of one frame.
+        with Held() if RECORDER.record.list_open else nullcontext():
+            numeric(values)
+            result = numeric.checked(args)
+            tell(_contained(name, lambda: self._of_numbers(name, role, numeric, values)))
+        return result
 
     def _of_numbers(
         self, name: str, role: ShapeRole, numeric: Numeric, values: tuple[Any, ...]
@@ -131,10 +136,11 @@ class CLibraries:
         return None
 
     def _others(
-        self, name: str, role: ShapeRole, call: Call, args: tuple[Any, ...]
-    ) -> tuple[Any, Shape | None]:
+        self, name: str, role: ShapeRole, call: Call, args: tuple[Any, ...], tell: Tell
+    ) -> Any:
         result = call(*args)
-        return result, _contained(name, lambda: self._of_others(name, role, call, args))
+        tell(_contained(name, lambda: self._of_others(name, role, call, args)))
+        return result
 
     def _of_others(
         self, name: str, role: ShapeRole, call: Call, args: tuple[Any, ...]
@@ -156,6 +162,10 @@ class CLibraries:
                 self._surface = []
             self._surface.append((call, args))
         return result
+
+
+def _to_nobody(shape: Shape | None) -> None:
+    """What draws nothing has nothing to tell."""
 
 
 def _contained(name: str, describe: Callable[[], Shape | None]) -> Shape | None:

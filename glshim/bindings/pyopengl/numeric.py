@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.pyopengl import conversions
-from glshim.bindings.pyopengl.raw import checked
+from glshim.bindings.pyopengl.raw import checked, original_call
 from glshim.system.prototypes import function_type
 
 
@@ -21,6 +21,8 @@ class Numeric:
 
     def __init__(self, function: Any, letters: str) -> None:
         """letters: see `letters`."""
+        self.usual = original_call(function)
+        """As PyOpenGL makes it."""
         self._function, self._parameters = function, function.argtypes
         self._types = [conversions.ELEMENTS[letter] for letter in letters]
         self._letters = letters

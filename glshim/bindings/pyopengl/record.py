@@ -108,8 +108,12 @@ class Record:
         self.spill()
         self.list_open = True
         if capturing and not self.shadow:
-            self.restart()
-            self.loose = self.shadow = True
+            self.between()
+
+    def between(self) -> None:
+        """An open list has ended a primitive: what is said until the next one is outside."""
+        self.restart()
+        self.loose = self.shadow = True
 
     def close_list(self) -> None:
         """It ends: what is recorded goes into it, also of a primitive that it leaves open."""
@@ -123,10 +127,9 @@ class Record:
     def settle(self) -> None:
         """Tell the sink what an open list has said outside primitives so far."""
         if self.loose:
-            records = self.stream()
-            self.restart()
             if self.sink is not None:
-                self.sink.loose(records)
+                self.sink.loose(self.stream())
+            self.restart()
 
     def resume(self, mode: int, records: bytes) -> None:
         """A list that was called left a primitive open, with these records in it."""

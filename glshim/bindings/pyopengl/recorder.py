@@ -174,6 +174,8 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 conversions.numbers(function, "")(*args)
             mode, records = record.mode, record.records
             stream = b"".join(records)
+            taker = record.sink if record.list_open else None
+            so_far = 0 if taker is None else taker.listed()
             parted = None
             if held and len(stream) >= forward.SMALL:
                 expected = _LOOK_OUT
@@ -189,25 +191,30 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
             drawn: list[bool] = []
             try:
                 try:
-                    exhaust(whole, 0)  # before it the primitive is open, after it no more
-                finally:
-                    record.held, record.shadow = None, False
-                if parted:
-                    at_once((*parted.rest(), partial(drawn.append, True)))
-                return real(*args, **named) if careful else forward.check(real, args)
-            except BaseException:  # a signal handler's perhaps, in the middle
-                if parted and not drawn:
-                    with Held():
-                        at_once(parted.rest())
-                raise
-            finally:
-                if record.sink is not None:
                     try:
-                        record.sink.end(mode, stream)
+                        exhaust(whole, 0)  # before it the primitive is open, after it no more
                     finally:
-                        if record.list_open:
-                            record.restart()
-                            record.loose = record.shadow = True
+                        record.held, record.shadow = None, False
+                    if parted:
+                        at_once((*parted.rest(), partial(drawn.append, True)))
+                    return real(*args, **named) if careful else forward.check(real, args)
+                except BaseException:  # a signal handler's perhaps, in the middle
+                    if parted and not drawn:
+                        with Held():
+                            at_once(parted.rest())
+                    raise
+                finally:
+                    if record.sink is not None:
+                        record.sink.end(mode, stream)
+                        if taker is not None:
+                            record.between()
+            except BaseException:
+                if taker is not None:  # the list has the primitive by now
+                    with Held():
+                        if taker.listed() == so_far:
+                            taker.end(mode, stream)
+                        record.between()
+                raise
 
         return end
 

@@ -45,6 +45,11 @@ class ListCompiler:
         self.needs_base = self._partial
         return self.book.end()
 
+    def held(self) -> int:
+        """How many things an open list holds so far."""
+        program = self.book.open
+        return 0 if program is None else len(program.items)
+
     def add(self, item: Step) -> None:
         """Note what an open list holds; without an open list, nothing."""
         program = self.book.open

@@ -173,6 +173,11 @@ class Follower:
             self._close(scene)
             scene.fixed.unfinished(mode, stream)
 
+    def listed(self) -> int:
+        """How many things an open list holds."""
+        scene = self._scenes.current()
+        return 0 if scene is None else scene.fixed.lists.held()
+
     @contained
     def inside(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]

@@ -1,0 +1,129 @@
+"""A signal comes while a display list compiles, at one bytecode of ours after the other: what the
+driver has in the list, we have."""
+
+from __future__ import annotations
+
+import random
+import signal
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from typing import Any
+
+import glfw
+import numpy as np
+import pytest
+from OpenGL import GL
+from OpenGL.GLU import gluNewQuadric, gluSphere
+
+from tests import sweep
+
+from .test_every_bytecode import OURS, Bytecodes, handler
+from .world import styled, window
+
+POINTS = 2500 if sweep.FULL else 30
+CELLS, SIDE = 6, 24
+"""Shapes beside each other, and the pixels of each."""
+TRIANGLE = np.array([(0.2, 0.2, 0), (0.8, 0.2, 0), (0.5, 0.8, 0)], np.float32)
+
+
+@pytest.fixture(autouse=True)
+def _handled() -> Iterator[None]:
+    before = signal.signal(signal.SIGUSR1, handler)
+    yield
+    signal.signal(signal.SIGUSR1, before)
+
+
+def step() -> None:
+    GL.glTranslatef(1.0, 0.0, 0.0)
+
+
+def spoken() -> None:
+    GL.glBegin(GL.GL_TRIANGLES)
+    for x, y, z in TRIANGLE.tolist():
+        GL.glVertex3f(x, y, z)
+    GL.glEnd()
+
+
+class Program:
+    """Compiles shapes one beside the other, in every way that a list has."""
+
+    def __init__(self) -> None:
+        self._quadric = gluNewQuadric()
+        GL.glClearColor(1, 1, 1, 1)
+        GL.glEnable(GL.GL_DEPTH_TEST)
+        GL.glMatrixMode(GL.GL_PROJECTION)
+        GL.glOrtho(0, CELLS, 0, 1, -5, 5)
+        GL.glMatrixMode(GL.GL_MODELVIEW)
+        GL.glColor3f(0.4, 0.9, 0.6)
+        GL.glEnableClientState(GL.GL_VERTEX_ARRAY)
+        GL.glVertexPointer(3, GL.GL_FLOAT, 0, TRIANGLE)
+        self._inner, self._list = (GL.glGenLists(1) for _ in range(2))
+        GL.glNewList(self._inner, GL.GL_COMPILE)
+        spoken()
+        GL.glEndList()
+
+    def shapes(self) -> list[Callable[[], None]]:
+        return [
+            spoken, lambda: GL.glRectf(0.2, 0.2, 0.8, 0.8),
+            lambda: GL.glDrawArrays(GL.GL_TRIANGLES, 0, 3), lambda: GL.glCallList(self._inner),
+            self._ball, spoken,
+        ]  # fmt: skip
+
+    def _ball(self) -> None:
+        GL.glTranslatef(0.5, 0.5, 0.0)
+        gluSphere(self._quadric, 0.3, 6, 4)
+        GL.glTranslatef(-0.5, -0.5, 0.0)
+
+    def compile(self) -> None:
+        GL.glNewList(self._list, GL.GL_COMPILE)
+        for shape in self.shapes():
+            shape()
+            step()
+        GL.glEndList()
+
+    def recover(self) -> None:
+        """After an interrupt, anywhere."""
+        for end in (GL.glEnd, GL.glEndList):
+            with suppress(GL.GLError):
+                end()
+
+    def half_lined(self, show: Callable[[], None]) -> list[int]:
+        """Cells whose shape is there without lines."""
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glPushMatrix()
+        with suppress(GL.GLError):  # a glEnd too many, as `recover` says it
+            GL.glCallList(self._list)
+        self.recover()
+        GL.glPopMatrix()
+        size = CELLS * SIDE, SIDE
+        pixels = GL.glReadPixels(0, 0, *size, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        shades = np.frombuffer(pixels, np.uint8).reshape(SIDE, CELLS, SIDE, 3).astype(int)
+        show()
+        green = (abs(shades - (102, 230, 153)).max(3) < 6).sum((0, 2))
+        ink = (shades.max(3) < 60).sum((0, 2))
+        return [int(cell) for cell in range(CELLS) if green[cell] > 20 and ink[cell] < 20]
+
+
+def test_what_is_in_a_list_is_known(capfd: pytest.CaptureFixture[str]) -> None:
+    chance = random.Random(f"{sweep.SEED} lists")
+    with styled("raskar"), window(CELLS * SIDE, SIDE) as handle:
+        program = Program()
+
+        def show() -> None:
+            glfw.swap_buffers(handle)
+
+        counted = Bytecodes(OURS)
+        for _ in range(2):
+            program.compile()
+            assert program.half_lined(show) == []
+        counted.during(program.compile)
+        lost: dict[int, Any] = {}
+        for at in sorted(chance.sample(range(1, counted.seen + 1), min(POINTS, counted.seen))):
+            raised = Bytecodes(OURS, at).during(program.compile)
+            if raised is not None:
+                program.recover()
+            found = program.half_lined(show)
+            if found:
+                lost[at] = found
+        assert lost == {}, f"of {counted.seen}"
+    assert "glshim" not in capfd.readouterr().err
