@@ -10,7 +10,10 @@ import pytest
 from OpenGL.arrays import GLfloatArray
 
 from glshim.bindings.pyopengl import conversions
+from glshim.bindings.pyopengl.attributes import scalars
 from glshim.bindings.pyopengl.raw import hook_function, original_call
+from glshim.bindings.pyopengl.record import Record
+from glshim.spec.attributes import BY_NAME
 from glshim.system.prototypes import function_type
 
 POINT = [1.0, 2.0, 3.0]
@@ -105,6 +108,19 @@ def test_arguments_are_converted_as_when_the_type_was_made(
 def test_types_of_ours_are_nobody_elses() -> None:
     assert function_type(None, ctypes.c_int) is function_type(None, ctypes.c_int)
     assert function_type(None, ctypes.c_int) is not ctypes.CFUNCTYPE(None, ctypes.c_int)
+
+
+@pytest.mark.parametrize("name, args, arrived", [
+    ("glVertex2s", (10**400, 70_000), (0, 4464)), ("glColor3ub", (300, -1, 10**400), (44, 255, 0)),
+    ("glVertex2f", (True, np.float64(1e300)), (1, float("inf"))),
+])  # fmt: skip
+def test_logged_calls_are_recorded_as_their_arguments_arrive(
+    name: str, args: tuple[Any, ...], arrived: tuple[float, ...]
+) -> None:
+    record, row = Record(), BY_NAME[name]
+    record.shadow = True
+    scalars(record, row)(lambda *_: None)(*args)
+    assert record.stream() == conversions.recorded(row)(arrived)
 
 
 def test_extra_arguments_are_taken() -> None:
