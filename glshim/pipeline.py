@@ -267,10 +267,11 @@ _first: Callable[[Watcher], Watcher] = lambda watcher: watcher  # noqa: E731
 def install(style: str | Styler, *, live: bool = False) -> None:
     """Restyle this process's OpenGL from now on, in a style given as text or as a styler.
 
-    May be called before or after the app has imported PyOpenGL, and again with another style, which
-    knows the display lists and buffers that the first one saw made. live: they are followed even
-    while the style draws nothing, for one that comes later, by `switch` or by another call.
-    Raises StyleError for a text that names no style; nothing is installed then.
+    It may be called before or after the program has imported PyOpenGL, and again with another
+    style, to which the display lists and buffers recorded so far are available. live: record them
+    even while the style draws nothing, for a style that comes later, by `switch` or by another
+    call.
+    Raises StyleError if the text is not a valid style; then nothing is installed.
     """
     global _current, _watches_end
     if isinstance(style, str):

@@ -37,7 +37,7 @@ class PolygonBatch:
     Polygon ``p`` has the corners ``corners[starts[p]:starts[p + 1]]`` (3 or more, wound as the
     app sent them); ``boundary[c]`` says whether the side from corner ``c`` to the next corner
     of the same polygon is a true edge (False for a triangulation diagonal or an app's edge flag).
-    Degenerate polygons (zero area, repeated or non-finite corners) may occur: whoever derives
+    Degenerate polygons (zero area, repeated or non-finite corners) may occur: code that derives
     geometry drops them.
     """
 
@@ -50,8 +50,8 @@ class PolygonBatch:
     boundary: Flags
     """(C,) the side that leaves this corner is a true edge."""
     key: Hashable | None = None
-    """Equal keys mean equal content (a display list, an unchanged buffer): caches may hold on
-    to what they derived. None: seen once, stream it."""
+    """Equal keys mean equal content (a display list, an unchanged buffer), so derived values may be
+    cached. None: do not cache."""
 
     regions: NDArray[np.uint32] | None = None
     """(P,) a number for the colour that all corners of a polygon were given, 0 where they differ or

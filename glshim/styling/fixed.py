@@ -14,8 +14,8 @@ from glshim.styling.values import Body, Colour
 class BackFaces:
     """The sides of back-facing polygons as lines, where the layer's depth does not hide them.
 
-    The two passes of J. Lander, "Under the Shade of the Rendering Tree" (2000), as P. Rideout
-    tells them in "Silhouette Extraction" (2010), "Old School Silhouettes": glPolygonMode(GL_BACK,
+    The two passes of J. Lander, "Under the Shade of the Rendering Tree" (2000), as described by P.
+    Rideout, "Silhouette Extraction" (2010), "Old School Silhouettes": glPolygonMode(GL_BACK,
     GL_LINE) with depth less-or-equal over front faces with depth less. The front faces are the
     app's own, or flat ones. Of one layer all are filled before any line is drawn.
     """

@@ -91,9 +91,8 @@ class Lines:
     medium: Medium
     """What they look like."""
     coat: int = 0
-    """Lines that follow each other in one coat keep of each pixel the most ink; those of the next
-    one go over it. The number tells neighbours apart: what is given first is drawn first, whatever
-    its coat."""
+    """Consecutive lines with the same coat merge: each pixel keeps the most ink. Lines with another
+    coat are drawn over them. The order of drawing is that of the list, whatever the coats."""
 
 
 def turns(wanted: Choice | Features) -> dict[str, tuple[float, float]]:

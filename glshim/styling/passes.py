@@ -127,8 +127,8 @@ class Weld:
 
 @dataclass(frozen=True, slots=True)
 class Sieve:
-    """Elements that surely are none of these are left out before the shader decides: edges, lines
-    and triangles with adjacency. Of meshes that a pose moves none are. Lines, and triangles with
+    """Elements that certainly are not wanted are left out before the shader decides: edges, lines
+    and triangles with adjacency; none of meshes that a pose moves. Lines, and triangles with
     adjacency, stay for the sake of their edges: of the two at an edge the one whose corner off it
     has the lesser number; or where the pass has creases for the bits of
     `glshim.geometry.meshshaders.sieve`."""
@@ -172,12 +172,12 @@ class Pass:
     sieve: Sieve | None = None
     """Which elements are left out before; None: none."""
     buffer: bool = False
-    """Draws into the G-buffer: four floats a pixel, nothing to begin with, and a depth buffer of
-    its own, at the far plane. Passes after it read it; another run of such passes begins anew."""
+    """Draws into the G-buffer: four floats for each pixel, cleared to zero, with a separate depth
+    buffer. Later passes read it; another sequence of such passes clears it again."""
     coat: int = 0
-    """Passes that follow each other in one coat share colour, depth and stencil; at the first of
-    another one what was drawn is laid over the window, and all three begin anew. The number tells
-    neighbours apart: what is given first is drawn first, whatever its coat."""
+    """Consecutive passes with the same coat share colour, depth and stencil. At the first pass with
+    another coat, the result is drawn over the window, and all three are cleared. The order of
+    drawing is that of the list, whatever the coats."""
     lines: bool = False
     """It draws lines: where styles are put together, those of a style are taken, or its surfaces.
     """

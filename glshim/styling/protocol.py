@@ -40,9 +40,9 @@ class Styler:
     """Base of all stylers. Options that are not allowed raise `StyleError` at construction."""
 
     name: ClassVar[str] = ""
-    """The word in a style text, and of the entry point."""
+    """The name of the style in texts and entry points."""
     wants_polygons: ClassVar[bool] = True
-    """False: nothing is assembled and `draws` is never called."""
+    """False: no polygons are collected, and `draws` is never called."""
     alone: ClassVar[str] = ""
     """Why it is not put together with other styles (``a+b``); empty: it is."""
     categories: ClassVar[tuple[str, ...]] = ()
@@ -52,25 +52,26 @@ class Styler:
 
     @property
     def wants_colours(self) -> bool:
-        """Whether `PolygonBatch.regions` shall say which polygons have the same colour."""
+        """Whether `PolygonBatch.regions` is filled, which tells polygons of different colours
+        apart."""
         return False
 
     @property
     def wants_normals(self) -> bool:
-        """Whether `PolygonBatch.normals` shall hold the normals that the app sends."""
+        """Whether `PolygonBatch.normals` is filled with the normals that the program sends."""
         return False
 
     @property
     def wants_lights(self) -> bool:
-        """Whether `Camera.lit`, `gleams` and `textured`, and `Layer.lighting` shall say how the
-        app lights its polygons."""
+        """Whether `Camera.lit`, `gleams` and `textured`, and `Layer.lighting` are filled: how the
+        program lights its polygons."""
         return False
 
     @property
     def surface(self) -> str | Colour:
-        """How the base polygons look: ``"app"`` (untouched), ``"none"`` (depth only), ``"paint"``
-        (the app's colours and textures without its light), ``"colours"`` (without its textures
-        and fog, too), a colour. It is the option ``fill`` of styles that have one."""
+        """How the program's own polygons look: ``"app"`` (untouched), ``"none"`` (depth only),
+        ``"paint"`` (its colours and textures without its light), ``"colours"`` (also without its
+        textures and fog), or a colour. For a style with an option `fill`, it is that option."""
         fill: str | Colour = getattr(self, "fill", "app")
         return fill
 

@@ -40,9 +40,9 @@ def parse_style(
     folder, those in a file from where that lies. Several with ``+`` between them are put together
     (`Composite`).
 
-    files: gets every file that the style depends on, also those of a text that does not hold up.
+    files: receives every file that the style depends on, even if the text is not valid.
     chain: the style files that extend this text, the outermost first.
-    Raises `StyleError` with one clear line: what is wrong, and the nearest right thing.
+    Raises `StyleError` with one line that says what is wrong and names the nearest valid word.
     """
     text = text.strip()
     files = [] if files is None else files

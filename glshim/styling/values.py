@@ -14,6 +14,7 @@ from glshim.model.lights import Lighting
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1."""
 Uniform = float | int | tuple[float, ...] | tuple[tuple[float, ...], ...]
+"""A number, a vector, or an array of either: the value of a uniform."""
 Place = tuple[float, float, float, float]
 """Homogeneous: a point where w = 1, the direction towards one at infinity where w = 0."""
 
@@ -25,7 +26,7 @@ class Body:
     batches: tuple[PolygonBatch, ...]
     camera: Camera
     order: tuple[int, ...] = ()
-    """When the app drew each batch, counted through the layer; empty: body by body."""
+    """The position of each batch in the layer's order of drawing; empty: body by body."""
 
 
 def in_order(bodies: Iterable[Body]) -> list[Item]:
@@ -50,21 +51,21 @@ class Layer:
     fresh: bool = True
     """The depth buffer holds this layer's polygons alone, in its views."""
     time: float = 0.0
-    """Seconds, from any beginning: what a style that moves by itself goes by."""
+    """Seconds since an arbitrary moment, for styles that move by themselves."""
     lighting: Lighting | None = None
     """The lights that were on, with GL_LIGHTING, when the first lit polygons of the layer were
-    drawn: an app that moves them after that is seen in the light that it began with. None: nothing
-    was lit, or not asked for (`glshim.styling.protocol.Styler.wants_lights`)."""
+    drawn. If the program moves them later in the layer, these stay. None: nothing was lit, or the
+    style did not ask (`glshim.styling.protocol.Styler.wants_lights`)."""
     scale: float = 1.0
-    """Pixels for one of the window: more than 1 in a large shot, for lengths that a style has of
-    its own. Its options in pixels are scaled already."""
+    """Pixels of the picture for each pixel of the window: more than 1 in a large shot. For constant
+    lengths of a style; its options in pixels are already scaled."""
     bare: tuple[Box, ...] = ()
-    """Of a layer over others the parts of its views in which none lies below: the program has
-    cleared them, or drawn nothing there. Pixels of the framebuffer."""
+    """If the layer lies over others: the parts of its views in which there is nothing below,
+    because the program has cleared them or drawn nothing there. Pixels of the framebuffer."""
 
     @cached_property
     def bodies(self) -> tuple[Body, ...]:
-        """The batches by camera, in the order of their first."""
+        """The batches by camera, in the order of their first batches."""
         found: dict[object, tuple[list[PolygonBatch], Camera, list[int]]] = {}
         known: dict[int, tuple[list[PolygonBatch], Camera, list[int]]] = {}
         for place, (batch, camera) in enumerate(self.items):

@@ -23,7 +23,7 @@ class Pattern:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
-    """Which lines a style wants, by what polygons show."""
+    """Which lines a style wants, decided polygon by polygon."""
 
     silhouettes: bool = False
     ridge_angle: float | None = None
@@ -32,7 +32,7 @@ class Choice:
     """A valley has a greater dihedral angle, radians; None for no valleys."""
     intersections: bool = False
     connectivity: bool = True
-    """Whether neighbours are looked for. Without, depth alone decides, as in the paper."""
+    """Whether neighbouring polygons are looked for. False: depth alone decides, as in the paper."""
     pattern: Pattern | None = None
     """What repeats along strokes (the last floats of a record), or None for plain lines."""
 

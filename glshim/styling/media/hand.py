@@ -64,14 +64,14 @@ def hand(
     """One stroke a line, as a hand draws it. Lengths in pixels; widths, colours: of lines of some
     kinds, as `Choice` and `Features` call them.
 
-    opacity: of one stroke, 0..1. wobble: by which the hand strays. overshoot: by which strokes go
-    on beyond their ends, about, but at most a share of their length. pressure: share of the width
-    by which they swell and thin. taper: over which they grow thin at their ends. tip: of a stroke
-    that is drawn in its full width; shorter ones are thinner, as drawn with the tip of the pen.
-    corner: degrees of a turn on the screen at which the pen is lifted. image: a brush, so long,
-    with colours of its own or not, whose hairs leave the paper over some pixels (bristles).
-    aligned: strokes begin where it does, so that dashes lie over each other. scale: pixels for one
-    of the window (`Layer.scale`). seed: each draws with other motions.
+    opacity: of one stroke, 0..1. wobble: amplitude of the jitter. overshoot: how far strokes extend
+    beyond their ends, at most a share of their length. pressure: share of the width by which
+    strokes swell and thin. taper: length over which they get thin at their ends. tip: length of a
+    stroke that has the full width; shorter ones are thinner. corner: degrees of a turn on the
+    screen at which a new stroke begins. image: the texture of a brush, its length, whether it has
+    colours of its own, and the pixels over which its hairs leave the paper (bristles). aligned:
+    strokes begin where the image does, so that dashes lie over each other. scale: `Layer.scale`.
+    seed: another seed gives other jitter.
     """
     tiles = max(round(_PERIOD * scale / length), 1)  # pictures may be short
     period = length * tiles if image is not None else _PERIOD * scale
@@ -111,7 +111,7 @@ def pictured(texture: str, width: float, length: float = 0.0, dash: float = 0.0)
 
 
 def reseeded(medium: Medium, seed: int) -> Medium:
-    """The same with other motions of the hand."""
+    """The same medium with the jitter of another seed."""
     return replace(
         medium, uniforms={**medium.uniforms, "jitter_seed": float(seed % _SEEDS) / 101.0}
     )
