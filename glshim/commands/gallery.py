@@ -23,7 +23,7 @@ class Gallery(Command):
     makes no sense; 130 after Ctrl-C."""
 
     name: ClassVar[str] = "gallery"
-    help: ClassVar[str] = "run a program once per style and show all pictures"
+    help: ClassVar[str] = "run a program in every style and put the pictures on a page"
     usage: ClassVar[str | None] = (
         "glshim gallery [options] (SCRIPT | -m MODULE | MODEL) [ARGS...] [-o OUT.html]"
     )
@@ -32,22 +32,25 @@ class Gallery(Command):
         subjects.add_arguments(parser)
         parser.add_argument(
             "-o", "--output", default="gallery.html", metavar="OUT.html",
-            help="the page; OUT.png is the contact sheet (default: %(default)s)",
+            help="page to write; OUT.png is a contact sheet (default: %(default)s)",
         )  # fmt: skip
-        parser.add_argument("--styles", metavar="A,B,...", help="only these (default: all)")
         parser.add_argument(
-            "--compare", nargs=2, metavar=("A", "B"), help="a page with a slider between two styles"
+            "--styles", metavar="A,B,...", help="limit to these styles (default: all)"
         )
         parser.add_argument(
-            "--columns", type=int, default=4, metavar="N", help="pictures in a row"
+            "--compare", nargs=2, metavar=("A", "B"), help="compare two styles with a slider"
         )
+        parser.add_argument(
+            "--columns", type=int, default=4, metavar="N",
+            help="pictures per row (default: %(default)s)",
+        )  # fmt: skip
         parser.add_argument(
             "-j", "--jobs", type=int, metavar="N",
             help=f"runs at the same time (default: one per processor, at most {MOST_JOBS})",
         )  # fmt: skip
         parser.add_argument(
             "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
-            help="for each run (default: %(default)g)",
+            help="time limit for each run (default: %(default)g)",
         )  # fmt: skip
 
     def run(self, asked: argparse.Namespace) -> int:
@@ -66,7 +69,7 @@ class Gallery(Command):
             raise EnvironmentFault("--columns, --jobs and --timeout must be greater than zero")
         page = Path(asked.output).absolute()
         if page.suffix.lower() not in (".html", ".htm"):
-            raise EnvironmentFault(f"{asked.output!r} does not name a page: it ends in .html")
+            raise EnvironmentFault(f"{asked.output!r} is not a page: its name must end in .html")
         folder, sheet = page.with_name(page.stem + "_files"), page.with_suffix(".png")
         for path, beginnings in ((page, PAGES), (sheet, PICTURES)):
             try:  # now, not after all runs
@@ -99,7 +102,7 @@ class Gallery(Command):
             else:
                 write_page(page, subject.title, tiles, asked.columns, sheet)
         except KeyboardInterrupt:
-            say(f"stopped; the pictures made so far are in {folder}")
+            say(f"interrupted; the pictures made so far are in {folder}")
             return 130
         except OSError as error:
             raise EnvironmentFault(f"cannot write the gallery {page}: {error}") from error

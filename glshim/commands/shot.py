@@ -24,7 +24,7 @@ class Shot(Command):
     sense; 130 after Ctrl-C."""
 
     name: ClassVar[str] = "shot"
-    help: ClassVar[str] = "write one picture of a program, at any size"
+    help: ClassVar[str] = "render one frame of a program at any size"
     usage: ClassVar[str | None] = (
         "glshim shot [options] (SCRIPT | -m MODULE | MODEL) [ARGS...] [-o OUT.png]"
     )
@@ -32,22 +32,23 @@ class Shot(Command):
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         subjects.add_arguments(parser)
         parser.add_argument(
-            "-o", "--output", default="shot.png", metavar="OUT.png", help="(default: %(default)s)"
-        )
+            "-o", "--output", default="shot.png", metavar="OUT.png",
+            help="picture to write (default: %(default)s)",
+        )  # fmt: skip
         parser.add_argument(
             "--style", help=f"as for glshim run ({STYLE_DEFAULT})"
         )
         size = parser.add_mutually_exclusive_group()
-        size.add_argument("--size", metavar="WxH", help="pixels of the picture, e.g. 6000x4500")
-        size.add_argument("--scale", metavar="K", help="times the window's size (default: 4)")
+        size.add_argument("--size", metavar="WxH", help="size in pixels, e.g. 6000x4500")
+        size.add_argument("--scale", metavar="K", help="multiple of the window size (default: 4)")
         parser.add_argument(
             "--tile", type=int, default=MOST_SIDE, metavar="N",
-            help="pixels of what is drawn at once, a side; fewer take less memory and more frames "
+            help="maximum tile side in pixels; smaller tiles need less memory and more frames "
             "(default: %(default)s)",
         )  # fmt: skip
         parser.add_argument(
             "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
-            help="(default: %(default)g)",
+            help="time limit (default: %(default)g)",
         )  # fmt: skip
 
     def run(self, asked: argparse.Namespace) -> int:
@@ -55,9 +56,11 @@ class Shot(Command):
         subject = subjects.subject_of(asked)
         picture = Path(asked.output).absolute()
         if picture.suffix.lower() != ".png":
-            raise EnvironmentFault(f"{asked.output!r} does not name a picture: it ends in .png")
+            raise EnvironmentFault(f"{asked.output!r} is not a picture: its name must end in .png")
         if asked.tile < _LEAST_TILE or not asked.timeout > 0:
-            raise EnvironmentFault(f"--tile is at least {_LEAST_TILE}, --timeout greater than zero")
+            raise EnvironmentFault(
+                f"--tile must be at least {_LEAST_TILE}, --timeout greater than zero"
+            )
         plan = Plan(str(picture), subjects.frame_of(asked), tile=asked.tile)
         if asked.size is not None:
             plan = replace(plan, size=parse_size(asked.size))
@@ -70,7 +73,7 @@ class Shot(Command):
             shot = Run(name, variables, picture)
             (ended,) = run_all(subject.command, [shot], asked.timeout)
         except KeyboardInterrupt:
-            say("stopped, no picture is written")
+            say("interrupted; no picture was written")
             return 130
         except OSError as error:
             raise EnvironmentFault(f"cannot write {picture}: {error}") from error

@@ -49,16 +49,16 @@ def parse_chord(text: str) -> str:
     known = {key.lower(): key for key in NAMES}
     key = known.get(name.lower())
     if key is None:
-        what = f"no key is called {name!r}"
+        what = f"unknown key {name!r}"
         if nearest(name, NAMES):
             raise unknown(what, name, NAMES)
-        raise StyleError(f"{what}: there are F1 to F12, A to Z, 0 to 9, {', '.join(SPECIAL)}")
+        raise StyleError(f"{what}: use F1 to F12, A to Z, 0 to 9, {', '.join(SPECIAL)}")
     for modifier in modifiers:
         if modifier.lower() not in MODIFIERS:
-            raise StyleError(f"{modifier!r} is not a modifier: there are {', '.join(MODIFIERS)}")
+            raise StyleError(f"{modifier!r} is not a modifier: use {', '.join(MODIFIERS)}")
     held = {modifier.lower() for modifier in modifiers}
     if key.isdigit() and "shift" in held:
-        raise StyleError(f"{text.strip()}: a digit with shift is another character")
+        raise StyleError(f"{text.strip()}: shift with a digit types another character")
     return chord(key, held)
 
 
@@ -75,11 +75,11 @@ def parse_keys(text: str, folder: str = "") -> Keys | None:
         action, equals, key = (part.strip() for part in piece.partition("="))
         if not equals or not key:
             raise StyleError(
-                f"{piece.strip()!r} does not name a key: write on, off or ACTION=KEY, "
-                f"e.g. cycle=F5,overlay=off; actions are {', '.join(DEFAULTS)}"
+                f"{piece.strip()!r} assigns no key: write on, off or ACTION=KEY, "
+                f"e.g. cycle=F5,overlay=off; actions: {', '.join(DEFAULTS)}"
             )
         if action not in DEFAULTS:
-            raise unknown(f"no action is called {action!r}", action, DEFAULTS)
+            raise unknown(f"unknown action {action!r}", action, DEFAULTS)
         named.add(action)
         chords[action] = "" if key.lower() in NO_KEYS else parse_chord(key)
     if "cycle" in named and "back" not in named:  # back goes the same way with shift
@@ -91,7 +91,7 @@ def parse_keys(text: str, folder: str = "") -> Keys | None:
     for action, key in held.items():
         other = next((a for a, k in held.items() if k == key and a != action), None)
         if other is not None:
-            raise StyleError(f"{key} would do two things, {action} and {other}")
+            raise StyleError(f"{key} is assigned to both {action} and {other}")
     return Keys(held, frozenset(named))
 
 

@@ -56,8 +56,8 @@ class Controls:
         user = self._user_of(action)
         if user is not None:
             say_once(
-                f"{chord} stays the program's own, {user} names it; "
-                f"{KEYS}={action}=KEY chooses another key"
+                f"the program uses {chord} itself ({user}); "
+                f"choose another key with {KEYS}={action}=KEY"
             )
         return user is None
 
@@ -126,7 +126,7 @@ class Controls:
             try:
                 styler = texts.parse_style(text, self._folder)
             except GlshimError as error:
-                say_once(f"style {text!r} is skipped: {error}")
+                say_once(f"skipped style {text!r}: {error}")
                 continue
             self._off = None
             self._named = (self._named[-1], (styler, text))

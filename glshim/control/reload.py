@@ -100,7 +100,7 @@ class Reloader:
         self._doubtful = False
         mended, self._refused = self._refused is not None, None
         if mended:
-            say(f"{self._text} is valid again")
+            say(f"{self._text} is valid again; reloaded")
         if styler != self._styler:
             self._take(styler)
 
@@ -110,7 +110,7 @@ class Reloader:
         try:
             self._switch(styler)
         except Exception as error:
-            say_fault(f"style {styler.name!r} cannot be used, the last one stays", error)
+            say_fault(f"style {styler.name!r} cannot be used; the previous one stays", error)
         else:
             self._styler = styler
 

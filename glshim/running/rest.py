@@ -112,10 +112,10 @@ class _Watcher:
             self._done = True
             return
         if not frames.leaving():
-            say(f"the program shows nothing new after frame {self._seen}, and was ended there")
+            say(f"ended the program: it shows nothing new after frame {self._seen}")
             frames.leave_now(toolkits.leave)
             return
-        say("the program did not end when its main loop was asked to, and was ended")
+        say("ended the program: its main loop did not return when asked to")
         for stream in (sys.stdout, sys.stderr):
             with suppress(Exception):
                 stream.flush()

@@ -34,14 +34,14 @@ class Subject:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments that name a subject. Options may stand anywhere; those of the program's own
     come after ``--``."""
-    parser.add_argument("-m", dest="module", metavar="MODULE", help="show a module's program")
+    parser.add_argument("-m", dest="module", metavar="MODULE", help="run a module")
     parser.add_argument(
         "subject", nargs="*", metavar="SCRIPT | MODEL",
-        help="a script, or a model (OBJ, PLY, STL, glTF or a built-in shape); then its arguments, "
-        "after -- where they begin with a dash",
+        help="a script, or a model (an OBJ, PLY, STL or glTF file, or a built-in shape), then its "
+        "arguments; put -- before arguments that begin with a dash",
     )  # fmt: skip
     parser.add_argument(
-        "--frame", default="3", metavar="N", help="which frame is shown (default: %(default)s)"
+        "--frame", default="3", metavar="N", help="number of the frame (default: %(default)s)"
     )
 
 
@@ -50,18 +50,18 @@ def subject_of(asked: argparse.Namespace) -> Subject:
     if asked.module is not None:
         return Subject(asked.module, ("-m", asked.module, *asked.subject))
     if not asked.subject:
-        raise EnvironmentFault("name what to show: a script, -m MODULE, or a model")
+        raise EnvironmentFault("nothing to show: give a script, -m MODULE or a model")
     name, *arguments = asked.subject
     path = Path(name)
     if path.suffix.lower() in _MODELS or (name in _shapes() and not path.exists()):
         if path.suffix and not path.is_file():
-            raise EnvironmentFault(f"there is no model {name}")
+            raise EnvironmentFault(f"no such model file: {name}")
         if importlib.util.find_spec(VIEWER.partition(".")[0]) is None:
-            raise EnvironmentFault(f"models are shown by {VIEWER}, which is not installed")
+            raise EnvironmentFault(f"showing models needs {VIEWER}, which is not installed")
         return Subject(path.name, ("-m", VIEWER, "--wait", name, *arguments))
     if not path.exists():
         raise EnvironmentFault(
-            f"there is no file {name}, and no built-in shape of that name: {', '.join(_shapes())}"
+            f"no file or built-in shape is named {name}; shapes: {', '.join(_shapes())}"
         )
     return Subject(path.name, (name, *arguments))
 
@@ -74,7 +74,7 @@ def frame_of(asked: argparse.Namespace) -> int:
 def style_variable(text: str) -> str:
     """A style's text, checked, as `GLSHIM_STYLE` takes it from any folder. Raises `StyleError`."""
     if not text.strip():
-        raise StyleError("a style has a name: see glshim styles")
+        raise StyleError("the style is empty: see glshim styles")
     texts.parse_style(text)
     return texts.anchored(text, os.getcwd())
 

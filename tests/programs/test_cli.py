@@ -52,7 +52,7 @@ def python(*arguments: str, cwd: Path, stdin: str = "") -> subprocess.CompletedP
         (["--style", "nowhere.toml"], "nowhere.toml"),
         (["--frames", "0"], "whole number from 1"),
         (["--capture", "a.jpg"], ".png"),
-        (["--keys", "cycle=F99"], "no key is called 'F99': did you mean F9?"),
+        (["--keys", "cycle=F99"], "unknown key 'F99': did you mean F9?"),
     ],
 )
 def test_what_makes_no_sense_ends_with_2_before_the_program(

@@ -173,19 +173,20 @@ def test_a_run_that_fails_is_a_tile_that_says_why(tmp_path: Path) -> None:
            "    raise SystemExit('no <paint> left')\n" + SPINNER.replace("LOOP", ""))
     done = glshim(tmp_path, "gallery", "broken.py", "--styles", "none,raskar")
     assert done.returncode == 1
-    assert "raskar: ended with status 1: no <paint> left" in done.stderr
+    assert "raskar: the program exited with status 1: no <paint> left" in done.stderr
     text = (tmp_path / "gallery.html").read_text("utf-8")
     assert "no &lt;paint&gt; left" in text and "1 failed" in text
     script(tmp_path, "slow.py", "import OpenGL.GL\nwhile True: pass\n")
     done = glshim(tmp_path, "gallery", "slow.py", "--styles", "none", "--timeout", "2")
-    assert done.returncode == 1 and "stopped after 2 s, which brought no frame" in done.stderr
+    assert done.returncode == 1 and "timed out after 2 s with no frame" in done.stderr
 
 
 @pytest.mark.parametrize(
     ("arguments", "says"),
-    [(["nothing.py"], "there is no file nothing.py"), (["cube", "--styles", "rasker"], "raskar"),
-     (["lost.obj"], "there is no model lost.obj"), ([], "name what to show"),
-     (["cube", "-o", "out.pdf"], "ends in .html"), (["cube", "--frame", "0"], "whole number"),
+    [(["nothing.py"], "no file or built-in shape is named nothing.py"),
+     (["cube", "--styles", "rasker"], "raskar"),
+     (["lost.obj"], "no such model file: lost.obj"), ([], "nothing to show"),
+     (["cube", "-o", "out.pdf"], "must end in .html"), (["cube", "--frame", "0"], "whole number"),
      (["cube", "--columns", "0"], "greater than zero"),
      (["cube", "--jobs", "0"], "greater than zero")],
 )  # fmt: skip
@@ -244,7 +245,7 @@ def test_ctrl_c_leaves_no_process_behind(tmp_path: Path) -> None:
         assert gallery.stderr is not None
         said = gallery.stderr.read()
         assert gallery.wait(20) == 130
-    assert "stopped; the pictures made so far are in" in said and "Traceback" not in said
+    assert "interrupted; the pictures made so far are in" in said and "Traceback" not in said
     time.sleep(0.2)
     assert running(mark) == []
 

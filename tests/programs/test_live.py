@@ -250,7 +250,7 @@ def test_a_default_key_that_the_program_names_reaches_it(display: str, tmp_path:
     with running("glfw own", display, tmp_path, GLSHIM_KEYS="on") as program:
         program.press(10)
         program.wait(lambda: program.lines("key") == ["key F10"], "key of its own")
-        program.wait(lambda: len(program.lines("glshim: F10 stays the program's own")) == 1, "line")
+        program.wait(lambda: len(program.lines("glshim: the program uses F10 itself")) == 1, "line")
         program.press(9)
         assert program.saved()[0].count("none") == 0
         assert program.lines("key") == ["key F10"]
@@ -287,7 +287,7 @@ def test_what_cannot_be_used_is_said_in_a_line(display: str, tmp_path: Path) -> 
         program.press(9)
         program.end()
         assert program.lines("glshim") == [
-            "glshim: GLSHIM_KEYS: no key is called 'F99': did you mean F9?; no keys are watched"
+            "glshim: GLSHIM_KEYS: unknown key 'F99': did you mean F9?; no keys are watched"
         ]
         assert program.lines("key")[0] == "key F9"
     full = {"GLSHIM_KEYS": "on", "GLSHIM_SAVE": str(tmp_path / "file")}

@@ -172,7 +172,7 @@ def test_a_style_file_that_is_saved_is_taken_up_by_a_running_program(
     app.until(app.shows(RED), "red lines still")
     mine.write_text('extends = "raskar"\nink = "#0000ff"\n[silhouette]\nwidth = 6')
     app.until(app.shows(BLUE), "blue lines")
-    assert app.said()[1:] == [f"glshim: {mine} is valid again"]
+    assert app.said()[1:] == [f"glshim: {mine} is valid again; reloaded"]
 
 
 def test_a_file_that_was_broken_at_the_start_styles_lists_made_before(

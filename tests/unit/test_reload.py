@@ -94,7 +94,7 @@ def test_a_broken_file_is_said_once_and_the_last_good_style_stays(bench: Bench, 
     assert bench.taken == []
     bench.save('style = "raskar"\nridges = true\nridge_width = 9')
     bench.frames(5)
-    assert said() == ["glshim: mine.toml is valid again"]
+    assert said() == ["glshim: mine.toml is valid again; reloaded"]
     assert bench.taken == [Raskar(ridge_width=9)]
 
 

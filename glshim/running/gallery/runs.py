@@ -140,12 +140,12 @@ def _outcome(run: Run, status: int | None, lines: list[str], timeout: float) -> 
         fault = wrong[0] + (f" ({lines[-1]})" if lines[-1].removeprefix(_MARK) != wrong[0] else "")
     elif status is None:
         shown = "some frames, not all" if run.picture.exists() else "no frame"
-        fault = f"stopped after {timeout:g} s, which brought {shown}"
+        fault = f"timed out after {timeout:g} s with {shown}"
     elif status:
-        how = f"signal {-status}" if status < 0 else f"status {status}"
-        fault = f"ended with {how}" + (f": {lines[-1]}" if lines else "")
+        how = f"was killed by signal {-status}" if status < 0 else f"exited with status {status}"
+        fault = f"the program {how}" + (f": {lines[-1]}" if lines else "")
     else:
-        fault = "" if run.picture.exists() else "it ended without a frame of OpenGL"
+        fault = "" if run.picture.exists() else "the program exited before presenting a frame"
     return replace(run, fault=fault, notes=tuple(line for line in said if line not in wrong))
 
 

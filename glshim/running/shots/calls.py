@@ -254,7 +254,7 @@ class Calls:
         self._settle()
         if self._current() is None:
             return real(*args)
-        say_once("a shot has no accumulation buffer: glAccum is left out")
+        say_once("shots have no accumulation buffer: glAccum is ignored")
         return None
 
     # -- what is asked ---------------------------------------------------------------------------
@@ -344,7 +344,7 @@ def say_width_limit(width: float, *, asked: bool = True) -> None:
     """Say once when this GL has no lines of a width."""
     most = reals(GL_ALIASED_LINE_WIDTH_RANGE, 2)[1]
     if asked and width > most:
-        say_once(f"this GL has lines of {most:g} pixels at most: the program's own stay thinner")
+        say_once(f"lines of this driver are at most {most:g} pixels wide: some stay thinner")
 
 
 def address_of(argument: Any) -> int:

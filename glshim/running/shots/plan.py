@@ -51,7 +51,7 @@ class Plan:
                 return plan
         except (ValueError, TypeError, KeyError, AttributeError, IndexError, RecursionError):
             pass
-        raise StyleError(f"'{shown(text)}' is not a plan of a shot: glshim shot makes one")
+        raise StyleError(f"'{shown(text)}' is not a valid plan: glshim shot sets this variable")
 
     def sheet_for(self, window: Size) -> Size:
         """Pixels of the program's whole frame: the greatest of the window's shape in the size asked

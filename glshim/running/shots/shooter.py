@@ -128,7 +128,7 @@ class Shot:
         try:
             step()
         except (RenderError, OSError, MemoryError) as error:
-            say(f"no shot: {error or type(error).__name__}")
+            say(f"cannot take the shot: {error or type(error).__name__}")
             self._close()
             frames.end_program()
 
@@ -139,8 +139,8 @@ class Shot:
         most = integers(GL_MAX_VIEWPORT_DIMS, 2)
         if sheet[0] > most[0] or sheet[1] > most[1]:
             raise RenderError(
-                f"a picture of {sheet[0]}x{sheet[1]} pixels is larger than this GL can project to: "
-                f"at most {most[0]}x{most[1]} (its GL_MAX_VIEWPORT_DIMS)"
+                f"{sheet[0]}x{sheet[1]} pixels are more than this driver can draw: its limit is "
+                f"{most[0]}x{most[1]} (GL_MAX_VIEWPORT_DIMS)"
             )
         self._context = current_context()
         self.home = frames.drawable_framebuffer() or integer(GL_DRAW_FRAMEBUFFER_BINDING)
@@ -195,14 +195,15 @@ class Shot:
     def _write(self) -> None:
         if self._unlike > max(_SOME * self._shared, _FEW):
             say(
-                "tiles do not agree: the program moves with each frame that it draws, not with a "
-                "clock; a picture of one tile (smaller, or with a larger --tile) is whole"
+                "the tiles do not match: the program moves with each frame that it draws, not with "
+                "a clock; draw the picture as one tile (a smaller size, or a larger --tile)"
             )
         picture = Image.fromarray(self._sheet[::-1])
         wanted = self.plan.size or picture.size
         if picture.size != wanted:
             shapes = ("{}x{}".format(*size) for size in (self.mapping.window, wanted))
-            say("the window is {}, of another shape than {}: the rest is filled".format(*shapes))
+            say("the window is {}, the picture {}: they differ in shape, and the margins are filled"
+                .format(*shapes))  # fmt: skip
             sheet = Image.new("RGB", wanted, picture.getpixel((0, 0)))
             sheet.paste(picture, ((wanted[0] - picture.width) // 2,
                                   (wanted[1] - picture.height) // 2))  # fmt: skip
