@@ -18,7 +18,8 @@ def main(text: str) -> int:
     try:
         styler = texts.parse_style(text)
     except GlshimError as error:
-        print(Finding("it can be loaded", str(error), "mend that first: nothing else was tried"))
+        advice = "fix this; the remaining checks were skipped"
+        print(Finding("it can be loaded", str(error), advice))
         return 1
     if isinstance(styler, Composite):
         print(Finding("it can be loaded", f"{text} is several styles", "check each by itself"))
@@ -28,7 +29,7 @@ def main(text: str) -> int:
     for check in values.CHECKS:
         wrong += _report(finding(check, styler))
     if wrong:
-        print("no window was opened: mend these first")
+        print("fix these; the checks in a window were skipped")
         return 1
     try:
         with window.window():

@@ -52,7 +52,9 @@ def finding(check: Check, styler: Styler) -> Finding:
         return Finding(check.title, _line(fault), fault.advice)
     except Exception as error:  # somebody's styler may raise anything
         wrong = f"it raises {type(error).__name__}: {_line(error)}{where(error)}"
-        return Finding(check.title, wrong, "mend what raises: a styler that raises is switched off")
+        return Finding(
+            check.title, wrong, "fix the exception: a styler that raises is switched off"
+        )
     return Finding(check.title, figure=figure or "")
 
 

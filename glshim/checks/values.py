@@ -53,7 +53,7 @@ def _options_are_described(styler: Styler) -> None:
     make = type(styler)
     for option in options_of(make):
         if not option.help.strip():
-            raise Fault(f"option {option.name} has no help", "say what it does: help=...")
+            raise Fault(f"option {option.name} has no help", "describe it: help=...")
         if option.kind in ("number", "integer") and (option.low is None or option.high is None):
             raise Fault(f"option {option.name} has no range", "give it low=... and high=...")
         for value in (option.default, getattr(styler, option.name)):
@@ -177,7 +177,7 @@ def _odd_layers(styler: Styler) -> str:
         except Exception as error:
             raise Fault(
                 f"{what} makes it raise {type(error).__name__}: {error}",
-                "apps send such things: leave out what cannot be drawn",
+                "programs send such data: skip what cannot be drawn",
             ) from error
     return f"{len(odd)} kinds"
 

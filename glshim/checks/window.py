@@ -33,13 +33,13 @@ def window() -> Iterator[Any]:
     headless.prepare()
     glfw.ERROR_REPORTING = "ignore"
     if not glfw.init():
-        raise EnvironmentFault("there is no display to open a window on: use --headless")
+        raise EnvironmentFault("there is no display: use --headless")
     glfw.default_window_hints()
     glfw.window_hint(glfw.VISIBLE, False)
     glfw.window_hint(glfw.STENCIL_BITS, 8)
     handle = glfw.create_window(layers.SIDE, layers.SIDE, "glshim check-style", None, None)
     if not handle:
-        raise EnvironmentFault("the display gives no window with OpenGL: use --headless")
+        raise EnvironmentFault("the display cannot open an OpenGL window: use --headless")
     glfw.make_context_current(handle)
     try:
         yield handle
@@ -64,7 +64,7 @@ def _shaders_link(styler: Styler) -> str:
                 try:
                     _draw(backend, fixed, layer, drawn)
                 except RenderError as error:
-                    raise Fault(f"{text}: {error}", "see the driver's words") from error
+                    raise Fault(f"{text}: {error}", "see the message of the driver") from error
                 except Exception as error:
                     raise Fault(
                         f"{text}: {type(error).__name__}: {error}",
@@ -134,7 +134,7 @@ def _outcome(scene: scenes.Scene, styler: Styler | None) -> Outcome:
         place = next((line for line in reversed(lines) if line.startswith("File ")), "")
         raise Fault(
             f"{scene.__name__}: the style is switched off: {lines[-1]} ({place})",
-            "mend what raises",
+            "fix the exception",
         )
     return found
 

@@ -9,7 +9,7 @@ import sys
 from contextlib import nullcontext
 from typing import ClassVar
 
-from glshim.commands.command import Command
+from glshim.commands.command import HEADLESS, Command
 from glshim.running import launch
 from glshim.running.headless import headless_environment
 
@@ -18,13 +18,14 @@ class CheckStyle(Command):
     """Exit status: 0 where all holds, 1 where something does not, 2 where there is no screen."""
 
     name: ClassVar[str] = "check-style"
-    help: ClassVar[str] = "try a style against what all styles keep to"
+    help: ClassVar[str] = "validate a style"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
-            "style", metavar="STYLE", help="a name, FILE.toml or my_style.py:MyStyle"
-        )
-        parser.add_argument("--headless", action="store_true", help="draw on a virtual screen")
+            "style", metavar="STYLE",
+            help="style to validate: NAME, FILE.toml or my_style.py:MyStyle",
+        )  # fmt: skip
+        parser.add_argument("--headless", action="store_true", help=HEADLESS)
 
     def run(self, asked: argparse.Namespace) -> int:
         """Print what holds and what does not. Raises `EnvironmentFault`."""
@@ -34,8 +35,8 @@ class CheckStyle(Command):
             # In a process of its own: a shader or a draw may take it down.
             status = _printed([*python, "-m", "glshim.checks", asked.style], plain)
         if status < 0:
-            print(f"WRONG the process was ended by signal {-status}")
-            print("      a shader or a draw did that")
+            print(f"WRONG the process was killed by signal {-status}")
+            print("      a shader or a draw call of the style crashed the driver")
             return 1
         return status
 

@@ -58,7 +58,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="glshim", description="Restyle unmodified PyOpenGL programs with ink lines."
+        prog="glshim", description="Restyle PyOpenGL programs without changing them."
     )
     version = version_of("glshim") or "(not installed)"
     parser.add_argument("--version", action="version", version=f"glshim {version}")

@@ -13,6 +13,8 @@ from glshim.running.subjects import style_variable
 
 DEFAULT_STYLE = "raskar"
 """The style that is drawn in unless another is asked for."""
+HEADLESS = "run without a display: on a virtual screen (Xvfb), or through EGL"
+"""Of ``--headless``, for help texts."""
 STYLE_DEFAULT = f"default: {STYLE}, or {DEFAULT_STYLE}"
 """The default of ``--style``, for help texts."""
 

@@ -28,26 +28,28 @@ _PACKAGES = ("PyOpenGL", "PyOpenGL-accelerate", "numpy", "moderngl", "glfw", "Pi
 _LIBRARIES = {
     "GL": "libgl1",
     "GLU": "libglu1-mesa",
-    "GLUT": "libglut-dev, since PyOpenGL does not find libglut.so.3.12",
+    "GLUT": "libglut-dev; PyOpenGL does not find libglut.so.3.12",
     "GLE": "libgle3",
 }
 
-_UNTESTED = "untested: nobody of ours could run it, so look before you rely on it"
+_UNTESTED = "untested: written without a chance to run it; check the result before you rely on it"
 
 
 class Doctor(Command):
     """Exit status: 0, or 1 where something will not work here, or a program is not restyled."""
 
     name: ClassVar[str] = "doctor"
-    help: ClassVar[str] = "say what is here and what will not work, or what a program does"
+    help: ClassVar[str] = "diagnose this environment, or a program"
     usage: ClassVar[str | None] = "glshim doctor [options] [SCRIPT | -m MODULE] [ARGS...]"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
-            "--headless", action="store_true", help="look at GL on a virtual screen"
+            "--headless", action="store_true",
+            help="test OpenGL without a display: on a virtual screen (Xvfb), or through EGL",
         )
         parser.add_argument(
-            "--startup-cost", action="store_true", help="measure what glshim adds to Python's start"
+            "--startup-cost", action="store_true",
+            help="measure what glshim adds to the start of Python",
         )
         program.add_arguments(parser)
 
@@ -72,7 +74,7 @@ def print_report(*, headless: bool = False) -> int:
     _row("styles", ", ".join(registry.names()) or "none installed")
     _row("looks", ", ".join(registry.looks()) or "none installed")
     if not registry.names() or not registry.looks():
-        troubles.append("styles or looks are missing: install glshim anew (pip install .)")
+        troubles.append("styles or looks are missing: reinstall glshim (pip install .)")
     _environment(troubles)
     _heading("packages and libraries")
     for name in _PACKAGES:
@@ -81,17 +83,18 @@ def print_report(*, headless: bool = False) -> int:
         library = _library(name)
         _row(name, library or f"not found (Debian: {package})")
         if library is None:
-            troubles.append(f"programs that need {name}: PyOpenGL finds no such library")
-    _row("Xvfb", shutil.which("Xvfb") or "not found: no --headless (Debian: xvfb)")
+            troubles.append(f"programs that need {name} fail: PyOpenGL does not find this library")
+    missing = "not found; --headless uses EGL, for some toolkits (Debian: xvfb)"
+    _row("Xvfb", shutil.which("Xvfb") or missing)
     _context(headless, troubles)
     _toolkits()
-    _heading("what will not work")
+    _heading("what does not work")
     for trouble in troubles:
         print(f"  {trouble}")
     print(
-        "  programs that draw with shaders of their own, or in a core profile: they pass untouched"
+        "  programs with their own shaders, or in a core profile: they run unstyled"
     )
-    print("  Python run with -S, which reads no start-up files")
+    print("  python -S: it reads no start-up files")
     return 1 if troubles else 0
 
 
@@ -123,7 +126,7 @@ def _environment(troubles: list[str]) -> None:
 
 
 def _context(headless: bool, troubles: list[str]) -> None:
-    _heading("OpenGL" + (" on a virtual screen" if headless else ""))
+    _heading("OpenGL" + (" without a display" if headless else ""))
     try:
         if headless:
             with headless_environment() as environ:
@@ -132,7 +135,7 @@ def _context(headless: bool, troubles: list[str]) -> None:
             found = probe.ask(os.environ)
     except EnvironmentFault as error:
         _row("context", error)
-        troubles.append(f"no window opens here: {error}" + ("" if headless else "; try --headless"))
+        troubles.append(f"cannot open a window: {error}" + ("" if headless else "; try --headless"))
         return
     _row("vendor", found.vendor)
     _row("renderer", found.renderer)
@@ -140,14 +143,14 @@ def _context(headless: bool, troubles: list[str]) -> None:
     _row("profile", found.profile)
     _row("window", f"{found.depth_bits} depth bits, {found.samples} samples")
     if found.shortcoming:
-        _row("extra lines", f"no: {found.shortcoming}")
-        troubles.append(f"no extra lines: {found.shortcoming}; programs run plain")
+        _row("lines", f"no: {found.shortcoming}")
+        troubles.append(f"cannot draw lines: {found.shortcoming}; programs run unstyled")
         return
     who = "the GPU (OpenGL 3.3)" if found.expands_on_gpu else "the CPU (OpenGL 2.1)"
-    _row("extra lines", f"yes, expanded by {who}")
+    _row("lines", f"yes, expanded by {who}")
     if not found.expands_on_gpu:
         _row("unavailable", UNAVAILABLE)
-        troubles.append(f"{UNAVAILABLE}, this is {found.version}; the other lines are drawn")
+        troubles.append(f"{UNAVAILABLE}, and this is {found.version}; other lines work")
 
 
 def _toolkits() -> None:
@@ -172,7 +175,7 @@ def _toolkits() -> None:
         _row("not installed", ", ".join(missing))
     untested = [toolkit.name for toolkit in toolkits.used() if not toolkit.tested]
     if untested:
-        _row("untested", f"{', '.join(untested)}: written, but nobody of ours could run it")
+        _row("untested", f"{', '.join(untested)}: written without a chance to run it")
 
 
 def print_startup_cost() -> int:
@@ -185,10 +188,10 @@ def print_startup_cost() -> int:
     file, times, starts = startup_cost.of_file(path), startup_cost.TIMES, startup_cost.STARTS
     print(f"start-up file                       {path}")
     print(f"no GLSHIM_* variable set            {file * 1e6:8.1f} us (median of {times})")
-    print(f"  of glshim imported                {startup_cost.imported() or 'nothing'}")
+    print(f"  glshim modules imported           {startup_cost.imported() or 'nothing'}")
     plain, armed = startup_cost.of_python({}), startup_cost.of_python({environment.STYLE: "raskar"})
-    print(f"a whole start of Python, not set    {plain * 1e3:8.2f} ms (median of {starts})")
-    print(f"a whole start of Python, set        {armed * 1e3:8.2f} ms, no PyOpenGL imported")
+    print(f"whole start of Python, not set      {plain * 1e3:8.2f} ms (median of {starts})")
+    print(f"whole start of Python, set          {armed * 1e3:8.2f} ms, no PyOpenGL imported")
     return 0
 
 

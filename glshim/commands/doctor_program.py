@@ -25,22 +25,27 @@ _MOST_NAMES = 4
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments that name a program, and how it is run."""
     parser.add_argument(
-        "--style", metavar="STYLE", help=f"the style to run it in ({STYLE_DEFAULT})"
+        "--style", metavar="STYLE", help=f"style to run the program in ({STYLE_DEFAULT})"
     )
     parser.add_argument(
-        "--frames", default=str(_FRAMES), metavar="N", help="end it after N (default: %(default)s)"
-    )
-    parser.add_argument(
-        "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
-        help="stop it then at the latest (default: %(default)g)",
+        "--frames", default=str(_FRAMES), metavar="N",
+        help="stop after N frames (default: %(default)s)",
     )  # fmt: skip
     parser.add_argument(
-        "--json", action="store_true", help="print JSON; what the program prints goes to stderr"
-    )
+        "--timeout", type=float, default=_SECONDS, metavar="SECONDS",
+        help="stop after this time (default: %(default)g)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--json", action="store_true",
+        help="print JSON; the output of the program goes to standard error",
+    )  # fmt: skip
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("-m", dest="module", nargs=argparse.REMAINDER, help="examine a module")
-    what.add_argument("script", nargs="?", help="a program, as python takes it")
-    parser.add_argument("arguments", nargs=argparse.REMAINDER, help="the program's own")
+    what.add_argument(
+        "-m", dest="module", nargs=argparse.REMAINDER,
+        help="module to examine, with its arguments, as in python -m",
+    )  # fmt: skip
+    what.add_argument("script", nargs="?", help="script to examine")
+    parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the script")
 
 
 def is_asked_for(asked: argparse.Namespace) -> bool:
@@ -55,7 +60,7 @@ def examine(asked: argparse.Namespace) -> int:
     misplaced.warn(asked, command)
     frames = environment.parse_frames(asked.frames)
     if not asked.timeout > 0:
-        raise EnvironmentFault("--timeout is greater than zero")
+        raise EnvironmentFault("--timeout must be greater than zero")
     style = style_asked(asked.style)[1]
     with headless_environment() if asked.headless else nullcontext(dict(os.environ)) as environ:
         found = run(
@@ -85,21 +90,21 @@ def _print(found: Examined) -> None:
     row("ended", found.ended)
     seen = found.seen
     if seen is not None:
-        row("OpenGL", seen.opengl or "no frame has told")
+        row("OpenGL", seen.opengl or "unknown: no frame was presented")
         heading("frame ends")
         tested = {toolkit.name: toolkit.tested for toolkit in toolkits.used()}
         for name, count in seen.frame_ends.items():
             known = f"; tested with {tested[name]}" if tested.get(name) else ""
             row(name, f"{count}{known if name not in tested or known else '; untested'}")
         if not seen.frame_ends:
-            row("none", "lines are added at the end of a frame")
-        heading("calls of PyOpenGL, by role")
+            row("none", "lines are added at the end of a frame, and none was seen")
+        heading("PyOpenGL calls, by role")
         for role, calls in sorted(seen.calls.items(), key=lambda each: each[0] == "pass"):
             row("others" if role == "pass" else role, f"{sum(calls.values())}: {_most(calls)}")
-        heading("polygons that carry lines, by path")
+        heading("restyled polygons, by path")
         for path, count in seen.polygons.items():
             row(path, count)
-        row("in all", f"{sum(seen.polygons.values())} in {seen.carried} draws")
+        row("total", f"{sum(seen.polygons.values())} in {seen.carried} draws")
         heading("what passes through")
         for why, count in sorted(seen.passed.items(), key=lambda each: -each[1]):
             row(f"{count} draws", f"of polygons: {why}")

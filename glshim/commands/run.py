@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from glshim.commands import misplaced
-from glshim.commands.command import STYLE_DEFAULT, Command, style_asked
+from glshim.commands.command import HEADLESS, STYLE_DEFAULT, Command, style_asked
 from glshim.control import keys
 from glshim.running import environment, launch
 
@@ -16,15 +16,18 @@ class Run(Command):
     """The exit status is the program's own."""
 
     name: ClassVar[str] = "run"
-    help: ClassVar[str] = "run a program, restyled"
+    help: ClassVar[str] = "run a program in a style"
     usage: ClassVar[str | None] = "glshim run [options] (SCRIPT | -m MODULE) [ARGS...]"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         add_options(parser)
         what = parser.add_mutually_exclusive_group(required=True)
-        what.add_argument("-m", dest="module", nargs=argparse.REMAINDER, help="run a module")
-        what.add_argument("script", nargs="?", help="the program, as python takes it")
-        parser.add_argument("arguments", nargs=argparse.REMAINDER, help="the program's own")
+        what.add_argument(
+            "-m", dest="module", nargs=argparse.REMAINDER,
+            help="module to run, with its arguments, as in python -m",
+        )  # fmt: skip
+        what.add_argument("script", nargs="?", help="script to run")
+        parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the script")
 
     def run(self, asked: argparse.Namespace) -> int:
         program = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]
@@ -36,17 +39,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """The options of a program that runs restyled."""
     parser.add_argument(
         "--style",
-        help=f"NAME, NAME:key=value,key=value or FILE.toml ({STYLE_DEFAULT})",
+        help=f"style: NAME, NAME:option=value,... or FILE.toml ({STYLE_DEFAULT})",
     )
     parser.add_argument(
-        "--keys", metavar="KEYS", help="keys while it runs: on, off or ACTION=KEY,ACTION=KEY"
+        "--keys", metavar="KEYS", help="live-control keys: on, off or ACTION=KEY,ACTION=KEY"
     )
-    parser.add_argument("--frames", metavar="N", help="end with status 0 after N frames")
+    parser.add_argument("--frames", metavar="N", help="exit with status 0 after N frames")
     parser.add_argument(
-        "--capture", metavar="OUT%03d.png", help="write each frame as presented, from number 1"
-    )
+        "--capture", metavar="OUT%03d.png",
+        help="save each presented frame; %%03d is its number, from 1",
+    )  # fmt: skip
     parser.add_argument(
-        "--headless", action="store_true", help="run on a virtual screen of its own (Xvfb)"
+        "--headless", action="store_true", help=HEADLESS
     )
 
 

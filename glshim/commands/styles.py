@@ -20,11 +20,11 @@ class Styles(Command):
     """Exit status 0."""
 
     name: ClassVar[str] = "styles"
-    help: ClassVar[str] = "list the styles, or print the options of one"
+    help: ClassVar[str] = "list styles and their options"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         parser.add_argument(
-            "names", nargs="*", metavar="NAME", help="print the options of these styles"
+            "names", nargs="*", metavar="NAME", help="styles whose options to print"
         )
         parser.add_argument(
             "--long", action="store_true", help="print the options of every style"
@@ -43,12 +43,12 @@ def short_list(styles: Iterable[str], looks: Iterable[str]) -> Iterator[str]:
     """A line each, by name, and how to learn more."""
     styles, looks = tuple(styles), tuple(looks)
     column = max(map(len, (*styles, *looks)), default=0)
-    for title, names in (("styles:", styles), ("looks, which are style files:", looks)):
+    for title, names in (("styles:", styles), ("looks (style files):", looks)):
         yield title
         for name in names:
             line = f"  {name:<{column}}  {descriptions.summary(name)}"
             yield _shortened(line.rstrip())
-    yield "options: glshim styles NAME, or glshim styles --long for all of them"
+    yield "For options: glshim styles NAME, or glshim styles --long for all styles."
 
 
 def _shortened(line: str) -> str:

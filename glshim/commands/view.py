@@ -17,7 +17,7 @@ class View(Command):
     """The exit status is the viewer's own."""
 
     name: ClassVar[str] = "view"
-    help: ClassVar[str] = "show a model, restyled"
+    help: ClassVar[str] = "show a model in a style"
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         add_options(parser)

@@ -61,8 +61,8 @@ def parse_frames(text: str, folder: str = "") -> int:
     """A whole number of frames, at least 1. Raises `StyleError`."""
     if not re.fullmatch(r"\s*0*[1-9][0-9]{0,17}\s*", text) or len(text) > _MOST_TEXT:
         raise StyleError(
-            f"'{shown(text)}' is not a number of frames: give a whole number from 1, of at most 18 "
-            "digits"
+            f"'{shown(text)}' is not a valid frame count: give a whole number from 1, "
+            "of at most 18 digits"
         )
     return int(text)
 
@@ -72,11 +72,11 @@ def parse_capture(text: str, folder: str = "") -> str:
     rest = re.sub("%0?[0-9]{0,2}d", "1", text, count=1)
     if "%" in rest or Path(rest).suffix.lower() != ".png":
         raise StyleError(
-            f"'{shown(text)}' is not a file name for frames: it ends in .png "
-            "and holds one %d or %03d, or none, for the frame's number"
+            f"'{shown(text)}' is not a valid file name for frames: it must end in .png "
+            "and may contain one %d or %03d for the number of the frame"
         )
     if len(os.fsencode(os.path.basename(rest))) > _MOST_NAME:
-        raise StyleError(f"'{shown(text)}' is too long a name for a file")
+        raise StyleError(f"'{shown(text)}' is too long for a file name")
     return os.path.abspath(os.path.join(folder, text))
 
 
@@ -113,15 +113,15 @@ class Variable:
 
 VARIABLES = (
     Variable(STYLE, "STYLE", "restyles the program", _style),
-    Variable(FRAMES, "N", "ends it with status 0 after N presented frames", parse_frames,
-             "the program runs on without an end"),
-    Variable(CAPTURE, "out%03d.png", "writes each frame as presented, from number 1",
-             parse_capture, "no frames are written"),
-    Variable(KEYS, "on", "live control by keys", parse_keys, "no keys are watched"),
-    Variable(STYLES, "A,B", "the row of styles that keys go through", parse_styles,
-             "the keys go through all styles", needs=KEYS),
-    Variable(SAVE, "FOLDER", "where keys write PNGs", _folder, needs=KEYS),
-    Variable(NAME, "NAME", "what these PNGs are named after in place of the program", _text,
+    Variable(FRAMES, "N", "ends the program with status 0 after N presented frames", parse_frames,
+             "the number of frames is not limited"),
+    Variable(CAPTURE, "out%03d.png", "saves each presented frame; numbers start at 1",
+             parse_capture, "no frames are saved"),
+    Variable(KEYS, "on", "live control with keys", parse_keys, "live control is off"),
+    Variable(STYLES, "A,B", "styles that the keys step through", parse_styles,
+             "the keys step through all styles", needs=KEYS),
+    Variable(SAVE, "FOLDER", "folder for pictures saved with a key", _folder, needs=KEYS),
+    Variable(NAME, "NAME", "name of these pictures (default: the name of the program)", _text,
              needs=KEYS),
 )  # fmt: skip
 """All of them. Those that need no other are named in ``_glshim_start.py`` and ``glshim.pth``, too,

@@ -44,7 +44,7 @@ class Examined:
             return f"killed by signal {-self.status} after {_frames(seen)}, {within}"
         if self.status == 0 and seen >= self.frames:
             return f"stopped after {_frames(seen)}, {within}"
-        return f"by itself with status {self.status} after {_frames(seen)}, {within}"
+        return f"exited with status {self.status} after {_frames(seen)}, {within}"
 
     @property
     def is_restyled(self) -> bool:
@@ -57,21 +57,21 @@ class Examined:
         seen = self.seen
         if seen is None:
             return (
-                "PyOpenGL was not imported: glshim restyles programs that draw through it. Where "
-                "the program starts another one that draws, examine that one"
+                "not restyled: PyOpenGL was not imported, and glshim restyles only programs that "
+                "draw through it. If the program starts another one that draws, examine that one"
             )
         if not self.is_restyled:
             told = seen.why or "; ".join(seen.refused)
-            return f"not restyled: {told or 'nothing was drawn while it was looked at'}"
+            return f"not restyled: {told or 'nothing was drawn during the run'}"
         passed = sum(seen.passed.values())
         if not passed:
-            return "restyled: all polygons that it draws carry lines"
+            return "restyled: all polygons"
         share = seen.carried / (seen.carried + passed)
         why = max(seen.passed, key=lambda each: seen.passed[each])
         part = f"{share:.0%}" if share < 0.995 else "nearly all"
         return (
-            f"restyled in part: {part} of the draws of polygons carry lines; the others pass, "
-            f"mostly because {why}"
+            f"partly restyled: {part} of the draw calls for polygons; the others are left "
+            f"unstyled, mostly because {why}"
         )
 
 

@@ -104,7 +104,7 @@ def _read_display(reader: int, server: subprocess.Popen[bytes]) -> str:
         _, errors = server.communicate()
         reason = errors.decode(errors="replace").strip().splitlines()
         raise EnvironmentFault(
-            f"Xvfb does not start: {reason[-1] if reason else 'no reason given'}"
+            f"cannot start Xvfb: {reason[-1] if reason else 'no reason given'}"
         )
     return f":{number}"
 

@@ -60,11 +60,11 @@ def startup_file() -> Path | None:
 def startup_fault() -> str:
     """Why Python would not start glshim with a program, and what to do; empty where it would."""
     if sys.flags.ignore_environment:
-        return "python -I and python -E ignore the variables that glshim sets: leave them out"
+        return "python -I and python -E ignore the variables that glshim sets: leave out -I and -E"
     if startup_file() is not None:
         return ""
     if sys.flags.no_site:
-        return "python -S reads no start-up files: leave out -S, or call glshim.install()"
+        return "python -S reads no start-up files: run Python without -S, or call glshim.install()"
     for folder in sys.path:
         if Path(folder, STARTUP_FILE).is_file():
             return (
@@ -73,8 +73,8 @@ def startup_fault() -> str:
                 "(pip install, without --target), or call glshim.install() in the program"
             )
     return (
-        f"{STARTUP_FILE} is missing where {sys.executable} looks at its start: install glshim into "
-        "this Python (pip install .)"
+        f"{STARTUP_FILE} is not in the site-packages of {sys.executable}: install glshim into this "
+        "Python (pip install .)"
     )
 
 

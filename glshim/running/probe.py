@@ -58,7 +58,7 @@ class Probe:
     def profile(self) -> str:
         """In words."""
         if self.number < (3, 2):
-            return "no profiles yet: fixed function"
+            return "none before OpenGL 3.2: fixed function"
         return "core: no fixed function" if self.profile_mask & 1 else "compatibility"
 
 
@@ -72,10 +72,12 @@ def ask(environ: Mapping[str, str]) -> Probe:
             command, env=plain, capture_output=True, text=True, timeout=_SECONDS, check=False
         )
     except subprocess.TimeoutExpired as error:
-        raise EnvironmentFault(f"no answer from the display in {_SECONDS} s") from error
+        raise EnvironmentFault(f"the display did not answer within {_SECONDS} s") from error
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
-        raise EnvironmentFault(lines[-1] if lines else f"the probe died ({done.returncode})")
+        raise EnvironmentFault(
+            lines[-1] if lines else f"the test program crashed (status {done.returncode})"
+        )
     return Probe(**json.loads(done.stdout))
 
 
@@ -86,12 +88,12 @@ def probe() -> Probe:
     headless.prepare()
     glfw.ERROR_REPORTING = "ignore"
     if not glfw.init():
-        raise OSError("no display to open a window on")
+        raise OSError("there is no display")
     try:
         glfw.window_hint(glfw.VISIBLE, glfw.FALSE)
         window = glfw.create_window(64, 64, "glshim doctor", None, None)
         if not window:
-            raise OSError("the display gives no OpenGL window")
+            raise OSError("the display cannot open an OpenGL window")
         glfw.make_context_current(window)
         return Probe(
             vendor=text(GL_VENDOR),

@@ -44,7 +44,7 @@ def begin(folder: str) -> None:
     for complaint in complaints:
         say(complaint)
     if (settings.capture is not None or SHOT in os.environ) and has_elevated_rights():
-        say("no frames are written in a setuid or setgid program")
+        say("setuid and setgid programs save no frames")
         settings = replace(settings, capture=None)
     shot = _shot() if SHOT in os.environ and not has_elevated_rights() else None
     examination = _examination() if REPORT in os.environ and not has_elevated_rights() else None
@@ -96,7 +96,7 @@ def _shot() -> Shot | None:
     try:
         shot = Shot(Plan.of_text(os.environ[SHOT]), MOMENT)
     except StyleError as error:
-        say(f"{SHOT}: {error}; no shot is taken")
+        say(f"{SHOT}: {error}; no picture is saved")
         return None
     shot.prepare()
     return shot
@@ -119,7 +119,7 @@ def _install(style: str, folder: str, *, live: bool) -> None:
 
         install(styler, live=live)
     except Exception as error:  # the frames asked for still come, and the end
-        say_fault("cannot install the style, the program runs unstyled", error)
+        say_fault("cannot install the style; the program runs unstyled", error)
     else:
         reloader.install()
 
@@ -144,7 +144,7 @@ def _watch_keys(settings: LiveSettings, style: str | None, folder: str) -> None:
         keyboard.listen(_controls)
         frames.listen(Stage.OVERLAY, before=_controls.frame_ends)
     except Exception as error:
-        say_fault("cannot watch the keys, the program runs on without them", error)
+        say_fault("cannot watch keys; live control is off", error)
 
 
 class FrameLimit:
@@ -166,7 +166,9 @@ class FrameLimit:
             frames.want_more(False)
             told = f"{environment.FRAMES}={self._frames} did not end {runner}"
             # What is printed now, it may keep to itself.
-            atexit.register(say, f"{told}: tests and cells that come later would be lost")
+            atexit.register(
+                say, f"{told}, because tests or cells that have not run yet would be lost"
+            )
         elif self._left == 0:
             # Whoever catches the end may be counting failures: a status of 0 would hide them.
             # A gallery or a report wants the frames alone.

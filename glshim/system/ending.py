@@ -34,7 +34,7 @@ def _call_all() -> None:
             try:
                 function()
             except Exception as error:
-                say_fault("something went wrong at the end of the program", error)
+                say_fault("an error at the end of the program", error)
 
 
 class _Guard:

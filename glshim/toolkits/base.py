@@ -174,7 +174,7 @@ class Toolkit:
         except Exception as error:  # an import of the app's must not fail for us
             changes.undo()
             del self._hooked[key]
-            say_fault(f"{self.name}: {hook.place} is not hooked ({hook.part.value})", error)
+            say_fault(f"{self.name}: {hook.place} cannot be hooked ({hook.part.value})", error)
 
     def release(self, part: Part) -> None:
         """Leave the toolkit as it was found."""

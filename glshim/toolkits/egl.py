@@ -20,9 +20,9 @@ class Egl(Toolkit):
     tested = "Mesa 22.3: windows of X, pbuffers, no surface at all"
     displayless: ClassVar[Mapping[str, str] | None] = {}
     lacks: ClassVar[Lacks] = {
-        Part.KEYS: "live control hears no key",
-        Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
-        Part.CLOCK: "what shows the time runs on",
+        Part.KEYS: "live control receives no keys",
+        Part.REDRAW: "programs that draw on demand show a new style only with their next frame",
+        Part.CLOCK: "animation driven by a clock is not held still",
     }
 
     def __init__(self, *arguments: Any) -> None:

@@ -357,7 +357,7 @@ def _call(function: Callable[[], None] | None) -> None:
     try:
         function()
     except Exception as error:
-        say_fault("a frame end went wrong, the program runs on", error)
+        say_fault("an error at the end of a frame; the program runs on", error)
 
 
 def _leave(drawable: Drawable) -> None:
@@ -375,7 +375,7 @@ def _leave(drawable: Drawable) -> None:
     if _loop_asked:
         return
     if _exit_raised and _caught and not isinstance(sys.exc_info()[1], SystemExit):
-        say("the program caught the SystemExit that ends it, and was ended one frame later")
+        say("the program caught the SystemExit that was to end it, and was ended one frame later")
         exit_now(_caught)
     exit_now()
 

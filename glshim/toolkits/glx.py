@@ -16,10 +16,10 @@ class Glx(Toolkit):
     name, package, distribution = "GLX", "OpenGL", "PyOpenGL"
     tested = "pyopengltk 0.0.4 on X"
     lacks: ClassVar[Lacks] = {
-        Part.SIZE: "the viewport's size counts as the window's",
-        Part.KEYS: "live control hears no key",
-        Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
-        Part.CLOCK: "what shows the time runs on",
+        Part.SIZE: "the size of the viewport counts as that of the window",
+        Part.KEYS: "live control receives no keys",
+        Part.REDRAW: "programs that draw on demand show a new style only with their next frame",
+        Part.CLOCK: "animation driven by a clock is not held still",
     }
 
     def hooks(self) -> Iterable[Hook]:

@@ -72,7 +72,7 @@ def is_ours(name: str | None, held: Collection[str] = (), *, shortcut: bool = Fa
     except Exception as error:
         if not is_fault(error):
             raise
-        say_fault("a key went wrong, the program runs on", error)
+        say_fault("an error in live control; the program runs on", error)
         return False
 
 
@@ -90,7 +90,7 @@ def pressed(name: str | None, held: Collection[str] = (), *, again: bool = False
     except Exception as error:
         if not is_fault(error):
             raise
-        say_fault("a key went wrong, the program runs on", error)
+        say_fault("an error in live control; the program runs on", error)
     return True
 
 

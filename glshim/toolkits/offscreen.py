@@ -41,9 +41,9 @@ class Offscreen(Toolkit):
     displayless: ClassVar[Mapping[str, str] | None] = {}
     lacks: ClassVar[Lacks] = {
         Part.SIZE: "what is read back, or the viewport, counts as the picture",
-        Part.KEYS: "live control hears no key",
-        Part.REDRAW: "a program that draws on demand shows a new style with its next frame",
-        Part.CLOCK: "there is none but Python's",
+        Part.KEYS: "live control receives no keys",
+        Part.REDRAW: "programs that draw on demand show a new style only with their next frame",
+        Part.CLOCK: "only Python's own clocks are held still",
     }
 
     def __init__(self, *arguments: Any) -> None:

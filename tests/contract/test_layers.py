@@ -119,19 +119,6 @@ def test_what_stylers_import_others_can_import_from_the_top() -> None:
     assert private == []  # a row of `_HOMES` in glshim/__init__.py, and docs/reference/api.md
 
 
-def test_the_names_for_checkers_of_types_are_those_that_are_loaded() -> None:
-    (block,) = [
-        node for node in ast.parse((ROOT / "glshim" / "__init__.py").read_text()).body
-        if isinstance(node, ast.If)
-    ]  # fmt: skip
-    named = {
-        alias.name: node.module
-        for node in block.body if isinstance(node, ast.ImportFrom) for alias in node.names
-    }  # fmt: skip
-    assert named == glshim._HOME_OF
-    assert all(getattr(glshim, name) is not None for name in glshim.__all__)
-
-
 def test_references_of_shaders_are_for_tests_alone() -> None:
     room = "glshim.geometry.references"
     shipped = sources(*OURS)

@@ -142,7 +142,7 @@ def test_a_hook_that_fails_leaves_the_toolkit_plain(
     rig.toolkit.watch(Part.KEYS)
     assert vars(module._glfw) == found
     assert not rig.toolkit.is_hooked(Part.KEYS)
-    assert "glfw: glfw.set_key_callback is not hooked (keys)" in capsys.readouterr().err
+    assert "glfw: glfw.set_key_callback cannot be hooked (keys)" in capsys.readouterr().err
 
 
 # -- in particular ---------------------------------------------------------------------------------

@@ -167,7 +167,7 @@ def test_python_that_reads_no_startup_file_is_refused(tmp_path: Path) -> None:
     environ = {**os.environ, "PYTHONPATH": os.pathsep.join([str(root), *sys.path[1:]])}
     done = glshim("run", "app.py", cwd=tmp_path, environ=environ, flags=("-S",))
     assert done.returncode == 2
-    assert "leave out -S" in done.stderr
+    assert "without -S" in done.stderr
 
 
 @pytest.mark.parametrize("command", [["run", "app.py"], ["doctor"]])
@@ -206,7 +206,7 @@ def test_styles_lists_every_style_with_its_options() -> None:
 def test_doctor_finds_the_context_and_the_toolkits() -> None:
     done = glshim("doctor")
     assert done.returncode == 0, done.stdout
-    for word in ("renderer", "compatibility", "glutSwapBuffers", "start-up file", "extra lines"):
+    for word in ("renderer", "compatibility", "glutSwapBuffers", "start-up file", "lines "):
         assert word in done.stdout
 
 
@@ -214,14 +214,14 @@ def test_doctor_says_so_where_no_window_opens() -> None:
     environ = {name: text for name, text in os.environ.items() if name != "DISPLAY"}
     done = glshim("doctor", environ={**environ, "GLSHIM_FRAMES": "none"})
     assert done.returncode == 1
-    assert "no window opens here" in done.stdout
-    assert "GLSHIM_FRAMES: 'none' is not a number" in done.stdout
+    assert "cannot open a window" in done.stdout
+    assert "GLSHIM_FRAMES: 'none' is not a valid frame count" in done.stdout
 
 
 def test_doctor_measures_the_startup_cost() -> None:
     done = glshim("doctor", "--startup-cost")
     assert done.returncode == 0
-    assert "of glshim imported                nothing" in done.stdout
+    assert "glshim modules imported           nothing" in done.stdout
 
 
 @pytest.mark.parametrize(

@@ -67,7 +67,7 @@ def test_polygons_are_counted_by_path(tmp_path: Path, path: str) -> None:
     assert list(found.seen.polygons) == [path] and found.seen.polygons[path] % 3 == 0
     assert found.seen.calls["clear"] == {"glClear": 3}
     assert found.seen.frame_ends == {"glfw": 3} and "stopped after 3 frames" in found.ended
-    assert found.is_restyled and found.verdict == "restyled: all polygons that it draws carry lines"
+    assert found.is_restyled and found.verdict == "restyled: all polygons"
 
 
 @pytest.mark.parametrize("name", some(tuple(sorted(set(REASONS) - {"no line asked for"})), 2))
@@ -90,7 +90,7 @@ def test_a_program_that_never_presents_is_stopped_and_told_of(tmp_path: Path) ->
 def test_freeglut_leaves_by_c_and_is_told_of_all_the_same(tmp_path: Path) -> None:
     found = seen(tmp_path, GLUT, frames=30)
     assert found.seen is not None and found.seen.frame_ends == {"GLUT": 1}
-    assert found.ended.startswith("by itself with status 0 after 1 frame,")
+    assert found.ended.startswith("exited with status 0 after 1 frame,")
     assert found.seen.calls["shape"] == {"glutSolidTeapot": 1, "glutBitmapCharacter": 1}
     assert (found.seen.carried, found.seen.passed, found.seen.others) == (1, {}, 1)
 
@@ -100,7 +100,7 @@ def test_a_program_that_crashes_shows_why_and_is_told_of(
 ) -> None:
     found = seen(tmp_path, WINDOW + DEPTH + "frames(quad, 2)\nraise KeyError(sys.argv[1])", "it")
     assert "KeyError: 'it'" in capfd.readouterr().err
-    assert found.status == 1 and found.ended.startswith("by itself with status 1 after 2 frames")
+    assert found.status == 1 and found.ended.startswith("exited with status 1 after 2 frames")
     assert found.is_restyled
     killed = seen(tmp_path, WINDOW + DEPTH + "frames(quad, 2)\nctypes.string_at(0)")
     assert killed.status == -11 and killed.seen is not None and "signal 11" in killed.ended

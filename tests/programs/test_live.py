@@ -287,7 +287,7 @@ def test_what_cannot_be_used_is_said_in_a_line(display: str, tmp_path: Path) -> 
         program.press(9)
         program.end()
         assert program.lines("glshim") == [
-            "glshim: GLSHIM_KEYS: unknown key 'F99': did you mean F9?; no keys are watched"
+            "glshim: GLSHIM_KEYS: unknown key 'F99': did you mean F9?; live control is off"
         ]
         assert program.lines("key")[0] == "key F9"
     full = {"GLSHIM_KEYS": "on", "GLSHIM_SAVE": str(tmp_path / "file")}

@@ -171,7 +171,7 @@ def test_a_driver_that_goes_down_is_a_finding(tmp_path: Path) -> None:
         capture_output=True, text=True, timeout=120, check=False,
     )  # fmt: skip
     assert done.returncode == 1
-    assert "ended by signal 11" in done.stdout
+    assert "killed by signal 11" in done.stdout
 
 
 @pytest.mark.programs

@@ -87,7 +87,7 @@ def test_keys_that_make_no_sense_are_not_watched(text: str) -> None:
         parse_keys(text)
     settings, complaints = environment.read({"GLSHIM_KEYS": text, "GLSHIM_STYLE": "raskar"})
     assert settings == Settings("raskar")
-    assert complaints == (f"GLSHIM_KEYS: {caught.value}; no keys are watched",)
+    assert complaints == (f"GLSHIM_KEYS: {caught.value}; live control is off",)
 
 
 def test_keys_are_off_where_they_are_not_asked_for() -> None:
@@ -111,5 +111,6 @@ def test_a_list_that_makes_no_sense_is_said_and_all_styles_are_gone_through() ->
     assert settings.live is not None
     assert settings.live.styles == ()
     assert complaints == (
-        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; the keys go through all styles",
+        "GLSHIM_STYLES: fill=cel follows fins: write fins:fill=cel; "
+        "the keys step through all styles",
     )

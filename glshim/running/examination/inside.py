@@ -126,4 +126,4 @@ class Examination:
         try:
             write_text(self._path, found.text(), BEGIN)
         except OSError as error:
-            say_fault("what was seen cannot be written down", error)
+            say_fault("cannot write the report", error)
