@@ -81,7 +81,7 @@ and with all together.
 * **unsure**: the share of visible places that lie within a pixel of an occlusion boundary, or
   nearer to what lies there than depth can resolve. **beside**: hidden places within a pixel of an
   occlusion boundary, divided by visible ones; it may exceed 100 % where a noisy surface turns away.
-  Ink is right at both, and so is no ink.
+  There the score accepts ink and no ink.
 
 The true lines come from `tests/score/truth.py` (edges of welded corners, intersections of every
 pair of triangles) and `tests/score/sight.py` (rays in float64). They do not
