@@ -126,7 +126,7 @@ class Record:
 
     def settle(self) -> None:
         """Tell the sink what an open list has said outside primitives so far."""
-        if self.loose:
+        if self.loose and self.records:
             if self.sink is not None:
                 self.sink.loose(self.stream())
             self.restart()

@@ -153,50 +153,30 @@ class Watch:
                     return real(*args, **named)
                 if inside():
                     return self._inside(role, name, args, named, real)
-                if _RECORD.list_open:
-                    return self._listed(role, name, args, named, real)
+                in_list, so_far = _RECORD.list_open, 0
+                if in_list:
+                    _RECORD.settle()
+                    so_far = watcher.listed()
                 watcher.before(role, name, args)
                 try:
                     result = real(*args, **named)
+                    watcher.after(role, name, args, real)
                 except GLError:
                     watcher.failed(role, name, args, real)
                     raise
-                except BaseException:
-                    watcher.refused()
+                except BaseException as error:
+                    if in_list and not is_ours(error):  # a handler's: the list has the call by now
+                        with Held():
+                            if watcher.listed() == so_far:
+                                watcher.after(role, name, args, real)
+                    else:
+                        watcher.refused()
                     raise
-                watcher.after(role, name, args, real)
                 return result
 
             return hook
 
         return maker
-
-    def _listed(
-        self, role: Role, name: str, args: tuple[Any, ...], named: dict[str, Any], real: Call
-    ) -> Any:
-        """A call that a list takes: what is in it is known, whatever signal handlers raise."""
-        from OpenGL.error import GLError
-
-        watcher = self._watcher
-        assert watcher is not None
-        _RECORD.settle()
-        so_far = watcher.listed()
-        watcher.before(role, name, args)
-        try:
-            result = real(*args, **named)
-            watcher.after(role, name, args, real)
-        except GLError:
-            watcher.failed(role, name, args, real)
-            raise
-        except BaseException as error:
-            if is_ours(error):
-                watcher.refused()
-            else:  # a handler's: the list has the call by now
-                with Held():
-                    if watcher.listed() == so_far:
-                        watcher.after(role, name, args, real)
-            raise
-        return result
 
     def _bracket(self, name: str, role: Role) -> Maker:
         def maker(real: Call) -> Call:
