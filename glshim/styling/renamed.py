@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import wraps
 from typing import Any, TypeVar
 
+from glshim.styling.options import options_of
+
 _Class = TypeVar("_Class", bound=type)
 
 
@@ -37,11 +39,13 @@ def takes_old_names(cls: _Class) -> _Class:
     """Of a styler: let its constructor take the names of ``cls.former``, too."""
     init = cls.__init__  # type: ignore[misc]
     former: Mapping[str, Renamed] = cls.former  # type: ignore[attr-defined]
+    least = {option.name: option.low for option in options_of(cls)}
 
     @wraps(init)
     def either(self: Any, *args: Any, **given: Any) -> None:
         for name in former.keys() & given.keys():
-            given |= former[name].values(given.pop(name))
+            old = former[name]
+            given |= old.values(given.pop(name), least[old.names[0]])
         init(self, *args, **given)
 
     setattr(cls, "__init__", either)  # noqa: B010 (to mypy it has the new signature alone)

@@ -30,7 +30,7 @@ from .paint import Paint, painted
 @takes_old_names
 @dataclass(frozen=True)
 class Brush(ByHand):
-    """Lines painted with a brush over surfaces painted in the app's colours (NPRQuake)."""
+    """Brush strokes over surfaces painted in the program's colours (NPRQuake)."""
 
     name: ClassVar[str] = "brush"
     categories: ClassVar[tuple[str, ...]] = ("paint", "paper")

@@ -41,23 +41,23 @@ class Fur(Styler):
     categories: ClassVar[tuple[str, ...]] = ("effects",)
 
     length: float = option(
-        20.0, help="length of a hair, at the middle of its object", low=1.0, high=200.0, unit="px"
+        20.0, help="hair length at the centre of an object", low=1.0, high=200.0, unit="px"
     )
     density: float = option(
-        40.0, help="hairs side by side on 100 pixels of the surface", low=2.0, high=100.0
+        40.0, help="hairs per 100 pixels, side by side", low=2.0, high=100.0
     )
     thickness: float = option(
-        1.0, help="width of a hair at its root: 1 covers the skin, less shows it", low=0.2, high=1.5
+        1.0, help="hair width at the root; 1 covers the skin, less shows it", low=0.2, high=1.5
     )
     droop: float = option(
-        0.6, help="how far hairs hang down: 0 stands on end, 2 lies flat", low=0.0, high=2.0
+        0.6, help="how far hairs hang down; 0: upright, 2: flat", low=0.0, high=2.0
     )
-    curl: float = option(0.6, help="how far hairs turn into locks", low=0.0, high=2.0)
-    layers: int = option(12, help="most shells; short fur has fewer", low=2, high=64)
-    sheen: float = option(0.25, help="light along the hairs", low=0.0, high=1.0)
-    fins: bool = option(True, help="hairs in profile near contours")
+    curl: float = option(0.6, help="strength of curls", low=0.0, high=2.0)
+    layers: int = option(12, help="maximum number of shells; short fur uses fewer", low=2, high=64)
+    sheen: float = option(0.25, help="brightness of highlights along hairs", low=0.0, high=1.0)
+    fins: bool = option(True, help="draw hairs in profile near contours")
     colour: str | Colour = option(
-        "app", help="the hairs: as the app drew the skin, or a colour",
+        "app", help="colour of hairs: that of the surface (app), or one colour",
         choices=("app",), colour=True,
     )  # fmt: skip
     fill: str | Colour = options.fill()

@@ -11,7 +11,7 @@ from glshim.styling.protocol import Layer, Lines, Styler
 
 @dataclass(frozen=True)
 class NoStyle(Styler):
-    """The app's own picture, to the byte."""
+    """The program's own picture, unchanged."""
 
     name: ClassVar[str] = "none"
     wants_polygons: ClassVar[bool] = False

@@ -46,34 +46,34 @@ _SHADED = State(depth="greater", blend="off", stencil=Stencil("notequal", _LIT))
 
 @dataclass(frozen=True)
 class Shadow(Styler):
-    """Shadows that the program's polygons cast in the light of its GL_LIGHT0."""
+    """Shadows in the light of the program's GL_LIGHT0."""
 
     name: ClassVar[str] = "shadow"
     categories: ClassVar[tuple[str, ...]] = ("effects",)
 
-    darkness: float = option(0.5, help="share of the tint in shadows", low=0.0, high=1.0)
+    darkness: float = option(0.5, help="opacity of shadows", low=0.0, high=1.0)
     tint: Colour = option("#000000", help="colour of shadows")
     light: str = option(
         "app",
-        help="where it comes from: the program's GL_LIGHT0 (where that shines from the viewer, as "
-        "by default, no shadow is seen), or fixed, by azimuth and elevation",
+        help="light source: the program's GL_LIGHT0 (app), or azimuth and elevation (fixed); a "
+        "light at the viewer, as GL_LIGHT0 is by default, casts no visible shadow",
         choices=("app", "fixed"),
     )
     azimuth: float = option(
-        35.0, help="of a fixed light, from the viewer's back to the right",
+        35.0, help="direction of the fixed light: 0 is behind the viewer, 90 is on the right",
         low=-180.0, high=180.0, unit="degrees",
     )  # fmt: skip
     elevation: float = option(
-        50.0, help="of a fixed light, over the viewer's horizon",
+        50.0, help="height of the fixed light above the viewer's horizon",
         low=-90.0, high=90.0, unit="degrees",
     )  # fmt: skip
     self_shadows: bool = option(
-        True, help="off: what is drawn under one modelview matrix casts no shadow on itself"
+        True, help="let objects cast shadows on themselves; one modelview matrix is one object"
     )
     turned_away: str = option(
         "app",
-        help="faces that the light does not reach since they look away from it: as the app shaded "
-        "them, which hides the steps of coarse meshes, or in shadow",
+        help="surfaces that face away from the light: as the program shades them (app), which "
+        "hides the facets of coarse meshes, or in shadow",
         choices=("app", "shadow"),
     )
     fill: str | Colour = options.fill()

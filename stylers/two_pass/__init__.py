@@ -24,7 +24,7 @@ from ..shared.strokes import inked
 @takes_old_names
 @dataclass(frozen=True)
 class TwoPass(Valleys, Ridges):
-    """Silhouettes by the fixed function alone: back faces as lines (Lander 2000, Rideout 2010)."""
+    """Silhouettes by fixed-function GL alone: back faces as lines (Lander 2000, Rideout 2010)."""
 
     name: ClassVar[str] = "two_pass"
     alone: ClassVar[str] = "its lines lie below all that others draw; take crease or raskar"

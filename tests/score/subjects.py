@@ -12,13 +12,15 @@ from glshim_stylers.crease import Crease
 from glshim_stylers.edge_mesh import EdgeMesh
 from glshim_stylers.fins import Fins
 from glshim_stylers.raskar import Raskar
+from glshim_stylers.shared.kinds import LineStyle
 
 from glshim.styling.protocol import Styler
 from tests.score import truth
 from tests.score.smooth import CREASE_ANGLE
 
 _OPTIONS = frozenset(f.name for f in fields(Raskar))
-KINDS = tuple(kind for kind in truth.KINDS if kind in _OPTIONS)
+_SWITCHES = {kind: "contours" if kind == "silhouettes" else kind for kind in truth.KINDS}
+KINDS = tuple(kind for kind, switch in _SWITCHES.items() if switch in _OPTIONS)
 """The kinds of line that raskar draws."""
 _ANGLES = {"ridge_angle": truth.RIDGE_ANGLE, "valley_angle": truth.VALLEY_ANGLE}
 _WELDED = {"tolerance": 1e-5}
@@ -35,8 +37,8 @@ class Subject:
     widths: Mapping[str, tuple[str, ...]]
     """The options of each kind's width in pixels; the first one counts."""
     reach: float = 1.0
-    """Of that width, from the true line on: 1 where the option is half a line's width, or where
-    lines lie outside the object; 0.5 where it is all of the width, on both sides."""
+    """Of that width, from the true line on: 1 where lines lie outside the object; 0.5 where they
+    lie on both sides."""
     welds: bool = False
     """Whether corners are made equal for it, that has no tolerance."""
     fixed: Mapping[str, Any] = field(default_factory=dict)
@@ -54,14 +56,15 @@ class Subject:
 
     def reaches(self, style: Styler, kind: str) -> float:
         """Pixels from a true line of a kind to where its ink ends."""
-        return self.reach * float(getattr(style, self.widths[kind][0]))
+        assert isinstance(style, LineStyle)
+        return self.reach * style.look(self.widths[kind][0].removesuffix("_width")).width
 
 
 SUBJECTS: dict[str, Subject] = {
     "raskar": Subject(
         Raskar,
-        {kind: (kind,) for kind in KINDS},
-        {kind: (f"{kind.removesuffix('s')}_width",) for kind in KINDS},
+        {kind: (_SWITCHES[kind],) for kind in KINDS},
+        {kind: (f"{_SWITCHES[kind].removesuffix('s')}_width",) for kind in KINDS},
         fixed={name: value for name, value in _ANGLES.items() if name in _OPTIONS},
     ),
     "edge_mesh": Subject(
@@ -76,13 +79,17 @@ SUBJECTS: dict[str, Subject] = {
     ),
     "crease": Subject(
         Crease,
-        {"creases": ("creases",), "smooth": ("silhouettes",)},
-        {"creases": ("crease_width",), "smooth": ("silhouette_width",)},
+        {"creases": ("ridges", "valleys", "boundary"), "smooth": ("contours",)},
+        {
+            "creases": ("ridge_width", "valley_width", "boundary_width"),
+            "smooth": ("contour_width",),
+        },
         reach=0.5,
         welds=True,
-        fixed={"angle": CREASE_ANGLE, "rule": "angle"},
+        fixed={"crease_angle": CREASE_ANGLE, "rule": "angle"},
     ),
     "fins": Subject(
-        Fins, {"silhouettes": ()}, {"silhouettes": ("half_width",)}, fixed=_WELDED
+        Fins, {"silhouettes": ()}, {"silhouettes": ("contour_width", "boundary_width")}, reach=0.5,
+        fixed=_WELDED,
     ),
 }
