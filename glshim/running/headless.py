@@ -45,7 +45,7 @@ def headless_environment() -> Iterator[dict[str, str]]:
     )
     plain = {name: text for name, text in os.environ.items() if name not in _DISPLAYS}
     ours = {name: text for each in able for name, text in (each.displayless or {}).items()}
-    yield {**plain, **ours, "PYOPENGL_PLATFORM": "egl", DISPLAYLESS: "1"}
+    yield {"PYOPENGL_PLATFORM": "egl", **plain, **ours, DISPLAYLESS: "1"}
 
 
 def prepare() -> None:

@@ -35,6 +35,11 @@ def arm() -> None:
         return
     _armed = True
     _folder = os.getcwd()
+    if DISPLAYLESS in os.environ:  # the first: others hook what it puts in place
+        with OURS_ALONE:
+            from glshim import toolkits
+
+        toolkits.watch(toolkits.Part.DISPLAYLESS)
     if "GLSHIM_STILL" in os.environ:  # before the program has looked at a clock
         with OURS_ALONE:
             from glshim.running.stillness import begin
@@ -57,8 +62,6 @@ def _watch_toolkit(module: "ModuleType") -> None:
         from glshim.toolkits import Part, watch_package
 
     parts = [Part.FRAMES]
-    if DISPLAYLESS in os.environ:  # the first: others hook what it puts in place
-        parts.insert(0, Part.DISPLAYLESS)
     if KEYS in os.environ:  # windows that are made before PyOpenGL comes have keys, too
         parts.append(Part.KEYS)
     watch_package(module.__name__, *parts)

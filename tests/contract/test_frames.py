@@ -308,21 +308,19 @@ class Draws(unittest.TestCase):
 
 
 @pytest.mark.parametrize("runner", [["pytest", "-q", "-p", "no:cacheprovider"], ["unittest"]])
-@pytest.mark.parametrize("frames", ["2", "9"])
 def test_the_end_of_a_program_is_no_end_of_a_test_runner(
-    tmp_path: Path, runner: list[str], frames: str
+    tmp_path: Path, runner: list[str]
 ) -> None:
     """All tests are run, and none fails that would pass without us."""
     (tmp_path / "test_app.py").write_text(TESTED)
     done = subprocess.run(
         [sys.executable, "-m", *runner, "test_app.py"], cwd=tmp_path, timeout=60, check=False,
-        env=os.environ | {"GLSHIM_FRAMES": frames}, capture_output=True, text=True,
+        env=os.environ | {"GLSHIM_FRAMES": "2"}, capture_output=True, text=True,
     )  # fmt: skip
     told = done.stdout + done.stderr
     assert done.returncode == 1
     assert "1 failed, 3 passed" in told or ("Ran 4 tests" in told and "(errors=1)" in told)
-    said = f"GLSHIM_FRAMES=2 did not end {runner[0]}"
-    assert (said in done.stderr) == (frames == "2")
+    assert f"GLSHIM_FRAMES=2 did not end {runner[0]}" in done.stderr
 
 
 def test_pygame_without_opengl_has_no_frames_of_ours(tmp_path: Path) -> None:
