@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from glshim.styling import descriptions, registry
 from glshim.styling.options import options_of
 from glshim.styling.texts import parse_style
 
+PAGE = (Path(__file__).parents[2] / "docs" / "guide" / "line_options.md").read_text("utf-8")
 LINED = [name for name in registry.names() if issubclass(registry.load(name), LineStyle)]
 RED, BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
@@ -73,6 +75,19 @@ def test_what_is_said_of_all_lines_undoes_what_a_look_says_of_some(look: str) ->
     assert len({each.width for each in lined(f"{look}:width=3").looks().values()}) == 1
     mixed = lined(f"{look}:ridge.ink=blue,ink=red").looks()
     assert (mixed["ridge"].ink, mixed["contour"].ink) == (BLUE, RED)
+
+
+def test_the_page_says_what_is_read(tmp_path: Path) -> None:
+    """Every style file and every style text of it."""
+    files = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+    texts = re.findall(r"`(\w+(?:\+\w+)?:[^` ]+|\w+\+\w+)`", PAGE)
+    assert len(files) >= 2 and len(texts) >= 6
+    for number, content in enumerate(files):
+        path = tmp_path / f"{number}.toml"
+        path.write_text(content)
+        parse_style(str(path))
+    for text in texts:
+        parse_style(text)
 
 
 WIDTHS = {
