@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
+from glshim.driver.functions import gl
 from glshim.styling import registry
 from tests.sweep import SEED, some
 
@@ -66,6 +67,14 @@ def seen_with_own_names(style: str | None) -> list[str]:
                          GL.glGenRenderbuffers, GL.glGenVertexArrays, GL.glGenQueries,
                          GL.glGenSamplers, GL.glGenLists):  # fmt: skip
             app.tries(generate, 3)
+        for make, arguments in ((GL.glGenTextures, (2,)), (GL.glGenBuffers, (2,)),
+                                (GL.glCreateShader, (GL.GL_VERTEX_SHADER,)),
+                                (GL.glCreateProgram, ())):  # fmt: skip
+            gl.glEnable(0xFFFF)  # an error that PyOpenGL finds after the call that makes it
+            with pytest.raises(GL.GLError) as caught:
+                make(*arguments)
+            app.saw.append(f"{caught.value.err} {caught.value.result}")
+            app.tries(make, *arguments)
         GL.glDeleteTextures(list(range(1, 1000)))
         GL.glDeleteLists(1, 10000)
         frame(handle)

@@ -14,6 +14,9 @@ from tests.fuzz.program import Program
 from tests.fuzz.shrink import shrink
 from tests.fuzz.worker import PLAIN
 
+_JUDGED = 20
+"""Findings of one cause that are judged; more of it are taken for more of it."""
+
 
 @dataclass
 class Count:
@@ -40,7 +43,7 @@ def batches(first: int, count: int) -> Iterator[range]:
 
 def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) -> list[Finding]:
     """Play a batch. style: beside none, instead of the programs' own if not empty. most: findings
-    of one cause that are judged and made short; the others are counted."""
+    of one cause that are made short."""
     programs = [program(seed, number) for number in numbers]
     styles = [*dict.fromkeys((NONE, style or programs[0].style))]
     lanes = {each: Lane(each, programs[0].flags) for each in (PLAIN, *styles)}
@@ -67,8 +70,7 @@ def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) 
     findings = []
     for position, name, found in suspects:
         why = cause(name, found)
-        count.causes[why] += 1
-        if count.causes[why] > most:
+        if count.causes[why] >= _JUDGED:
             each = programs[position]
             findings.append(Finding(each, name, each.steps, found, judged=False))
             continue
@@ -76,7 +78,8 @@ def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) 
         if finding is None:
             count.unsteady.append(programs[position].number)
             continue
-        findings.append(shrink(finding))
+        count.causes[why] += 1
+        findings.append(shrink(finding) if count.causes[why] <= most else finding)
     return findings
 
 

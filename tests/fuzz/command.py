@@ -39,7 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "--shrink",
         type=int,
         default=2,
-        help="findings of each cause that are judged and made short (2)",
+        help="findings of each cause that are made short (2)",
     )
     parser.add_argument(
         "--out", type=Path, default=Path("out/fuzz"), help="folder for their scripts"

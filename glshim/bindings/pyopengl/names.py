@@ -68,14 +68,15 @@ def _meeting(row: Row) -> Maker:
     kind, position, floors = row.kind, row.position, objects.floors
 
     def maker(real: Call) -> Call:
-        def hook(*args: Any, **named: Any) -> Any:
-            result = real(*args, **named)
+        def meet(args: tuple[Any, ...]) -> None:
             name = number(args, position)
             if name > floors[kind]:
                 space = objects.space()
                 if space is not None and kind in space.last:
                     space.met(kind, name)
-            return result
+
+        def hook(*args: Any, **named: Any) -> Any:
+            return programs.made(lambda: real(*args, **named), lambda: meet(args))
 
         return hook
 
@@ -89,9 +90,8 @@ def _giving(row: Row) -> Maker:
             if space is None or row.kind not in space.last:
                 return real(*args, **named)
             with Held():
-                result = real(*args, **named)
-                _rename(row, args, space)
-            return result
+                return programs.made(
+                    lambda: real(*args, **named), lambda: _rename(row, args, space))
 
         return hook
 

@@ -19,6 +19,20 @@ from glshim.system.interrupts import Held
 Translate = Callable[[int], int]
 
 
+def made(call: Callable[[], Any], then: Callable[[], None]) -> Any:
+    """Make a call, and do something once the driver has made it: also where PyOpenGL finds an error
+    afterwards, which may be an older one."""
+    from OpenGL.error import GLError  # not before the program has set its flags
+
+    try:
+        result = call()
+    except GLError:
+        then()
+        raise
+    then()
+    return result
+
+
 def maker_of(name: str) -> Maker | None:
     """What makes the hook of a call, if names of programs or shaders are in it."""
     if naming.makes(name):
@@ -48,18 +62,32 @@ def _making(real: Call) -> Call:
         if programs is None:
             return real(*args, **named)
         with Held():
-            made = real(*args, **named)
-            return programs.entered(made) if made else made
+            return _told(lambda made: programs.entered(made) if made else made, real, args, named)
 
     return hook
 
 
 def _returning(real: Call) -> Call:
     def hook(*args: Any, **named: Any) -> Any:
-        programs, found = _programs(), real(*args, **named)
-        return found if programs is None else programs.own(found)
+        programs = _programs()
+        if programs is None:
+            return real(*args, **named)
+        return _told(programs.own, real, args, named)
 
     return hook
+
+
+def _told(own: Translate, real: Call, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
+    """The program's own name of what a call returns, also where PyOpenGL finds an error and puts
+    that into it: the call was made then."""
+    from OpenGL.error import GLError  # not before the program has set its flags
+
+    try:
+        return own(real(*args, **named))
+    except GLError as error:
+        if isinstance(error.result, int):
+            error.result = own(error.result)
+        raise
 
 
 def _taking(places: tuple[int, ...]) -> Maker:
@@ -117,13 +145,15 @@ def _answering(element: Any, position: int) -> Maker:
 
     def maker(real: Call) -> Call:
         def hook(*args: Any, **named: Any) -> Any:
-            result = real(*args, **named)
-            if len(args) > position and number(args, position - 1) in naming.ASKED:
+            def told() -> None:
                 programs, address = _programs(), address_of(args[position])
                 if programs is not None and address:
                     answer = element.from_address(address)
                     answer.value = programs.own(int(answer.value))
-            return result
+
+            if len(args) > position and number(args, position - 1) in naming.ASKED:
+                return made(lambda: real(*args, **named), told)
+            return real(*args, **named)
 
         return hook
 
@@ -158,9 +188,9 @@ def _listing(count: int, array: int, places: tuple[int, ...]) -> Maker:
             if not places:
                 return _call(real, given(programs, args), args, named)
             with Held():
-                result = _call(real, _translated(args, places), args, named)
-                told(programs, args)
-            return result
+                drivers = _translated(args, places)
+                return made(
+                    lambda: _call(real, drivers, args, named), lambda: told(programs, args))
 
         return hook
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from threading import get_ident
+from typing import Any
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
@@ -22,8 +23,8 @@ class Record:
     """
 
     __slots__ = (
-        "aside", "held", "home", "list_open", "loose", "mode", "modes", "records", "sequences",
-        "shadow", "sink", "write",
+        "able", "aside", "held", "home", "list_open", "loose", "mode", "modes", "own", "records",
+        "sequences", "shadow", "sink", "write",
     )  # fmt: skip
 
     def __init__(self) -> None:
@@ -44,9 +45,13 @@ class Record:
         self.sequences: frozenset[type] | None = None
         """What PyOpenGL's own handlers of arrays convert, of list, tuple and array; None until that
         is asked in this primitive."""
+        self.able = False
+        """Arrays do for the open primitive, should it turn out large."""
         self.mode = 0
         self.home = 0
         """The thread that opened the primitive."""
+        self.own: Any = None
+        """The states of several threads: `glshim.bindings.pyopengl.threads`."""
 
     def inside(self) -> bool:
         """Whether this thread has a recorded glBegin open."""

@@ -16,7 +16,7 @@ from itertools import chain
 from threading import get_ident
 from typing import Any, NamedTuple
 
-from glshim.bindings.pyopengl import attributes, bare, conversions, forward
+from glshim.bindings.pyopengl import attributes, bare, conversions, forward, threads
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
 from glshim.bindings.pyopengl.vectors import vectors
@@ -98,7 +98,6 @@ class _Brackets(NamedTuple):
 
 def _brackets(record: Record, careful: bool) -> _Brackets:
     expected = 0  # so many more primitives may be large: ask beforehand whether arrays do
-    able = False  # they do for the open primitive, should it turn out large
 
     def make_begin(real: Call, checked: bool) -> Call:
         driver_begin = quick("glBegin")
@@ -107,7 +106,10 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
         converted: Callable[..., tuple[Any, ...]] | None = None
 
         def begin(*args: Any, **named: Any) -> Any:
-            nonlocal expected, able, converted
+            nonlocal expected, converted
+            me = get_ident()
+            if me != record.home or threads.others():
+                threads.look(record)
             if record.loose:
                 record.settle()
                 record.loose = record.shadow = False
@@ -130,14 +132,14 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     record.sink.begin(mode)
                 if expected:
                     expected -= 1
-                    able = forward.able(mode)
-                elif able:
-                    able = False
+                    record.able = forward.able(mode)
+                elif record.able:
+                    record.able = False
                 records: list[bytes] = []
                 record.records = records
                 record.write = write = records.append
                 record.mode = mode
-                record.home = get_ident()
+                record.home = me
                 record.sequences = None
                 straight = careful or record.aside or (record.modes and record.is_read())
                 if not straight:
@@ -179,7 +181,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
             parted = None
             if held and len(stream) >= forward.SMALL:
                 expected = _LOOK_OUT
-                if able and not record.list_open:
+                if record.able and not record.list_open:
                     parted = forward.parted(mode, stream)
             if careful:
                 whole: Iterable[Any] = ()

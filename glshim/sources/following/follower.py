@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import functools
+import threading
 import traceback
 from collections.abc import Callable
+from threading import RLock
 from typing import Any, TypeVar
 
 from glshim.bindings.base import PrimitiveStream
@@ -54,20 +56,30 @@ def contained(method: F) -> F:
 
     @functools.wraps(method)
     def safe(self: Follower, *args: Any) -> Any:
-        try:
-            result = method(self, *args)
-        except BaseException as error:
-            if not is_ours(error):
-                with Held():
-                    self._drop()
-                raise
-            self._contain(name, error)
-            return None
-        if self._in_a_row:
-            self._in_a_row.pop(name, None)
-        return result
+        with self.one:
+            try:
+                result = method(self, *args)
+            except BaseException as error:
+                if not is_ours(error):
+                    with Held():
+                        self._drop()
+                    raise
+                self._contain(name, error)
+                return None
+            if self._in_a_row:
+                self._in_a_row.pop(name, None)
+            return result
 
     return safe  # type: ignore[return-value]
+
+
+class _Open(threading.local):
+    """The open primitive of a thread."""
+
+    scene: Scene | None = None
+    """Where it is drawn."""
+    spoilt = False
+    """Something of it could not be followed."""
 
 
 class Follower:
@@ -81,10 +93,9 @@ class Follower:
         self._idle = True
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._scenes = Scenes(stream, sink.context_ended)
-        self._now: Scene | None = None
-        """Where the open primitive is drawn."""
-        self._spoilt = False
-        """Something of the open primitive could not be followed."""
+        self._primitive = _Open()
+        self.one = RLock()
+        """Whose thread follows: what GL says, and what is known, is looked at by one at a time."""
         self._places: set[str] = set()
         """Where calls could not be followed, by faults of ours."""
         self._in_a_row: dict[str, int] = {}
@@ -119,7 +130,7 @@ class Follower:
     def _drop(self) -> None:
         """What the current call draws carries no lines."""
         if self._stream.inside():  # nothing may be said to GL here: the end of it closes
-            self._spoilt = True
+            self._primitive.spoilt = True
             return
         scene = self._scenes.current()
         if scene is not None:
@@ -130,8 +141,8 @@ class Follower:
     @contained
     def begin(self, mode: int) -> None:
         """Before glBegin."""
-        self._now = scene = self._scenes.current()
-        self._spoilt = False
+        self._primitive.scene = scene = self._scenes.current()
+        self._primitive.spoilt = False
         if scene is not None:
             self._open(mode in POLYGON_MODES, scene)
             scene.fixed.begin(scene.drawing)
@@ -142,13 +153,13 @@ class Follower:
         self._ended(mode, stream)
 
     def _ended(self, mode: int, stream: bytes) -> None:
-        scene = self._now
+        scene = self._primitive.scene
         if scene is None:
             return
         state = self._close(scene)
         if mode in POLYGON_MODES:
             drawn = scene.fixed.end(mode, stream)
-            if state is not None and not self._spoilt:
+            if state is not None and not self._primitive.spoilt:
                 self._add(scene, state, drawn)
 
     @contained
@@ -292,7 +303,7 @@ class Follower:
             whole = names if opening is None else names[: names.index(opening)]
             self._add(scene, state, Call(whole))
         if opening is not None:  # GL is inside a primitive: it stays covered until that ends
-            self._now = scene
+            self._primitive.scene = scene
             scene.fixed.resume(opening)
 
     # -- shapes drawn in C -----------------------------------------------------------------------

@@ -7,6 +7,9 @@ fixed function's (``ftransform``), so its depth stays bit for bit the app's.
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Sequence
+
 from glshim.driver.ask import integers, is_enabled
 from glshim.driver.functions import current_context, gl
 from glshim.driver.queries import counting
@@ -16,6 +19,15 @@ from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
 from glshim.styling.protocol import Colour
+
+
+class _Draw(threading.local):
+    """The draw of a thread."""
+
+    covered = False
+    enabled: Sequence[int] = ()
+    """What flat colours turned off."""
+    mask: tuple[int, ...] = (1, 1, 1, 1)
 
 
 class Cover:
@@ -28,10 +40,7 @@ class Cover:
         """By context."""
         self._paints: dict[tuple[int, bool], Paint] = {}
         """By context, and whether they have textures."""
-        self._enabled: list[int] = []
-        """What flat colours turned off."""
-        self._mask: tuple[int, ...] = (1, 1, 1, 1)
-        self._covered = False
+        self._draw = _Draw()
 
     def set_surface(self, surface: str | Colour) -> None:
         """Another one from now on: see `Styler.surface`; ``"app"`` covers nothing."""
@@ -40,25 +49,25 @@ class Cover:
 
     def cover(self) -> None:
         """Before the app's draw, outside primitives; no program of the app's is in use."""
-        if self._surface == "app" or self._covered:
+        if self._surface == "app" or self._draw.covered:
             return
         if is_enabled(GL_ALPHA_TEST) and counting():  # what fails the test in its own colours
             return
         # Each step can be undone before it is made, and twice: a signal handler may raise between.
         if self._surface in ("paint", "colours"):
             paint = self._paint()
-            self._covered = True
-            self._covered = paint.begin()
+            self._draw.covered = True
+            self._draw.covered = paint.begin()
             return
         if isinstance(self._surface, str):
-            self._mask = integers(GL_COLOR_WRITEMASK, 4)
-            self._covered = True
+            self._draw.mask = integers(GL_COLOR_WRITEMASK, 4)
+            self._draw.covered = True
             gl.glColorMaski(0, 0, 0, 0, 0)
             return
         program = self._flat()
-        self._enabled = [each for each in (GL_BLEND, GL_ALPHA_TEST) if is_enabled(each)]
-        self._covered = True
-        for switch in self._enabled:
+        self._draw.enabled = [each for each in (GL_BLEND, GL_ALPHA_TEST) if is_enabled(each)]
+        self._draw.covered = True
+        for switch in self._draw.enabled:
             if switch == GL_BLEND:  # of the first buffer alone: others may be as they are
                 gl.glDisablei(switch, 0)
             else:
@@ -67,20 +76,20 @@ class Cover:
 
     def uncover(self) -> None:
         """After it."""
-        if not self._covered:
+        if not self._draw.covered:
             return
         if self._surface in ("paint", "colours"):
             self._paint().end()
         elif isinstance(self._surface, str):
-            gl.glColorMaski(0, *(int(bool(m)) for m in self._mask))
+            gl.glColorMaski(0, *(int(bool(m)) for m in self._draw.mask))
         else:
             gl.glUseProgram(0)
-            for switch in self._enabled:
+            for switch in self._draw.enabled:
                 if switch == GL_BLEND:
                     gl.glEnablei(switch, 0)
                 else:
                     gl.glEnable(switch)
-        self._covered = False
+        self._draw.covered = False
 
     def release(self) -> None:
         """Delete what was made in the current context, and forget what was in others, which may go
