@@ -7,9 +7,9 @@ import zlib
 import OpenGL
 
 OpenGL.ERROR_CHECKING = False  # PyOpenGL knows of one open primitive alone
-import glfw
-import numpy as np
-from OpenGL import GL
+import glfw  # noqa: E402
+import numpy as np  # noqa: E402
+from OpenGL import GL  # noqa: E402
 
 sys.setswitchinterval(1e-6)
 glfw.init()
