@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import functools
 import threading
-import traceback
 from collections.abc import Callable
-from threading import RLock
-from typing import Any, TypeVar
+from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
 from glshim.driver.queries import UNCOUNTED, counting
 from glshim.model.batch import POSITIONS, Wanted
-from glshim.notices import say_fault, say_once
+from glshim.notices import say_once
 from glshim.sources.arguments import name as name_among
 from glshim.sources.arguments import number
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices
 from glshim.sources.following.census import Census
+from glshim.sources.following.faults import Faults, StylingFault, contained
 from glshim.sources.following.ground import clear
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
@@ -39,38 +37,6 @@ from glshim.system.interrupts import Held, is_ours
 
 _REFUSED = frozenset((Role.ARRAY_DRAW, Role.EVALUATOR_MESH))
 """Draws that read the app's memory, or must be made again: with an error GL has made none of it."""
-_MOST_PLACES, _MOST_IN_A_ROW = 3, 16
-"""Faults of ours, in following: so many kinds, or so many of one, are no exception any more."""
-
-F = TypeVar("F", bound=Callable[..., Any])
-
-
-class _StylingFault(Exception):
-    """The styler, or an output, has failed; the cause says how."""
-
-
-def contained(method: F) -> F:
-    """A fault of ours ends at most the styling, never the app's call: see `Follower._contain`. What
-    a signal handler of the app's raises meanwhile comes out of its call."""
-    name = method.__name__
-
-    @functools.wraps(method)
-    def safe(self: Follower, *args: Any) -> Any:
-        with self.one:
-            try:
-                result = method(self, *args)
-            except BaseException as error:
-                if not is_ours(error):
-                    with Held():
-                        self._drop()
-                    raise
-                self._contain(name, error)
-                return None
-            if self._in_a_row:
-                self._in_a_row.pop(name, None)
-            return result
-
-    return safe  # type: ignore[return-value]
 
 
 class _Open(threading.local):
@@ -94,12 +60,7 @@ class Follower:
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._scenes = Scenes(stream, sink.context_ended)
         self._primitive = _Open()
-        self.one = RLock()
-        """Whose thread follows: what GL says, and what is known, is looked at by one at a time."""
-        self._places: set[str] = set()
-        """Where calls could not be followed, by faults of ours."""
-        self._in_a_row: dict[str, int] = {}
-        """How often, one after the other, by what was told."""
+        self.faults = Faults(self._drop, sink.give_up)
 
     def restyle(self, wanted: Wanted | None) -> None:
         """Polygons shall come with something else from now on, or (None) not at all. What layers
@@ -108,24 +69,6 @@ class Follower:
         self._scenes.restyle(wanted or POSITIONS)
 
     # -- faults ----------------------------------------------------------------------------------
-
-    def _contain(self, told: str, error: BaseException) -> None:
-        """A fault. In following, it costs what one call has drawn: that is said once, and following
-        goes on. Where it comes again and again, or in the styler, it ends the styling."""
-        if isinstance(error, _StylingFault):
-            self._sink.give_up(error.__cause__ or error)
-            return
-        place = _place(error)
-        self._places.add(place)
-        self._in_a_row[told] = self._in_a_row.get(told, 0) + 1
-        if len(self._places) >= _MOST_PLACES or self._in_a_row[told] >= _MOST_IN_A_ROW:
-            self._sink.give_up(error)
-            return
-        say_fault(f"unstyled: what one call draws, by a fault of glshim at {place}", error)
-        try:
-            self._drop()
-        except Exception as another:
-            self._sink.give_up(another)
 
     def _drop(self) -> None:
         """What the current call draws carries no lines."""
@@ -402,7 +345,7 @@ class Follower:
             except Exception as error:
                 if not is_ours(error):
                     raise
-                raise _StylingFault from error
+                raise StylingFault from error
 
     def _finish(self, scene: Scene, *, waits: bool = False) -> None:
         if scene.layer.pending and not scene.fixed.lists.is_open:
@@ -423,9 +366,3 @@ _READERS = frozenset((Role.READBACK, Role.READ_IMAGE, Role.TARGET))
 """They read the picture, or turn to another one."""
 _RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
 """When a new context at an old one's address is looked out for: a program that draws comes by."""
-
-
-def _place(error: BaseException) -> str:
-    """Where a fault came up."""
-    last = traceback.extract_tb(error.__traceback__)[-1]
-    return f"{last.filename}:{last.lineno}"
