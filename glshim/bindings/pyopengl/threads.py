@@ -54,5 +54,6 @@ def look(record: Record) -> None:
     """Before a primitive of a thread that is not alone, or opens its first one."""
     if isinstance(record, _Shared) or not (others() or record.home):
         return
-    record.own = _State(record.home, {name: getattr(record, name) for name in _OWN})
+    home = record.home or get_ident()  # what a list holds is this thread's, before any primitive
+    record.own = _State(home, {name: getattr(record, name) for name in _OWN})
     record.__class__ = _Shared

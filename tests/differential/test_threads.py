@@ -1,0 +1,65 @@
+"""Programs with threads beside the one that draws. Two that draw: tests/programs/aimed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from glshim.bindings.pyopengl import threads
+from glshim.bindings.pyopengl.record import Record
+
+LISTED_FIRST = """
+import threading
+import glfw
+import numpy as np
+from OpenGL import GL
+threading.Thread(target=threading.Event().wait, daemon=True).start()
+glfw.init()
+glfw.window_hint(glfw.VISIBLE, 0)
+glfw.make_context_current(glfw.create_window(64, 48, "", None, None))
+GL.glNewList(1, GL.GL_COMPILE)
+GL.glBegin(GL.GL_TRIANGLES)
+for corner in ((-0.5, -0.5), (0.5, -0.5), (0.0, 0.5)):
+    GL.glVertex2f(*corner)
+GL.glEnd()
+GL.glEndList()
+GL.glEnable(GL.GL_DEPTH_TEST)
+GL.glClearColor(1, 1, 1, 1)
+GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+GL.glCallList(1)
+pixels = GL.glReadPixels(0, 0, 64, 48, GL.GL_RED, GL.GL_UNSIGNED_BYTE)
+print((np.frombuffer(pixels, np.uint8) < 60).sum())
+"""
+
+
+@pytest.mark.usefixtures("display")
+def test_a_list_is_the_first_that_is_drawn() -> None:
+    environ = {**os.environ, "GLSHIM_STYLE": "raskar"}
+    done = subprocess.run(
+        [sys.executable, "-c", LISTED_FIRST],
+        env=environ, capture_output=True, text=True, timeout=120, check=True,
+    )  # fmt: skip
+    assert int(done.stdout) > 60, done.stderr
+
+
+def test_a_record_is_shared_from_the_second_thread_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(threads, "others", lambda: 0)
+    record = Record()
+    threads.look(record)
+    assert type(record) is Record
+    record.list_open, record.mode = True, 7
+    monkeypatch.setattr(threads, "others", lambda: 1)
+    threads.look(record)
+    assert type(record) is not Record
+    assert isinstance(record, Record)
+    assert (record.list_open, record.mode) == (True, 7)
+    record.aside = True
+    found: list[object] = []
+    other = threads.threading.Thread(
+        target=lambda: found.extend((record.list_open, record.mode, record.held, record.aside)))
+    other.start()
+    other.join()
+    assert found == [False, 0, None, True]
