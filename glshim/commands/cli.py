@@ -40,7 +40,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         try:
             typed = sys.argv[1:] if arguments is None else list(arguments)
-            asked = _parser().parse_args(typed, argparse.Namespace(typed=typed))
+            parser = _parser()
+            if not typed:  # the first thing that people type
+                parser.print_help()
+                return 2
+            asked = parser.parse_args(typed, argparse.Namespace(typed=typed))
             status: int = asked.command.run(asked)
         finally:
             sys.stdout.flush()

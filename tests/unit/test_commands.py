@@ -55,6 +55,13 @@ def test_the_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out == f"glshim {glshim.__version__}\n"
 
 
+def test_without_a_command_it_says_which_there_are(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main([]) == 2
+    told = capsys.readouterr()
+    assert all(f"\n    {command.name}" in told.out for command in cli.COMMANDS)
+    assert told.err == ""
+
+
 @pytest.mark.programs
 @pytest.mark.parametrize(
     "arguments", [["styles", "--long"], ["--help"], ["styles", "--help"], ["check-style", "gone"]]
