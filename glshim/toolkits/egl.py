@@ -47,9 +47,10 @@ class Egl(Toolkit):
         function = type(module.eglSwapBuffers)
         plain = function.__call__
 
-        def swap(display: Any, surface: Any, *more: Any) -> Any:
-            on = self.drawable((display, surface))
-            return frames.present(plain, display, surface, *more, on=on)
+        def swap(*args: Any, **_named: Any) -> Any:  # ctypes ignores keywords
+            if len(args) < 2:
+                return plain(*args)  # it refuses them
+            return frames.present(plain, *args, on=self.drawable(args[:2]))
 
         changes.set(function, "__call__", staticmethod(swap))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterable
 from typing import Any, ClassVar
 
@@ -29,7 +28,11 @@ class Glx(Toolkit):
         if not module.glXSwapBuffers:  # which loads it; none without GLX
             return
         function = type(module.glXSwapBuffers)
-        swap = functools.partial(frames.present, function.__call__, on=self.drawable())
+        plain, on = function.__call__, self.drawable()
+
+        def swap(*args: Any, **_named: Any) -> Any:  # ctypes ignores keywords
+            return frames.present(plain, *args, on=on)
+
         changes.set(function, "__call__", staticmethod(swap))
 
 

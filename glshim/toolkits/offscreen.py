@@ -12,6 +12,8 @@ from typing import Any, ClassVar
 
 from glshim.bindings.pyopengl.pictures import stand_around
 from glshim.bindings.pyopengl.raw import Call
+from glshim.driver.arguments import name as name_among
+from glshim.driver.arguments import number
 from glshim.driver.ask import integer, size_of
 from glshim.driver.context import has_framebuffers
 from glshim.spec.constants import (
@@ -72,7 +74,7 @@ class Offscreen(Toolkit):
             return call(*args)
         role = role_of(name)
         if role is Role.CLEAR or role is Role.CLEAR_BUFFER:
-            if role is Role.CLEAR_BUFFER or _whole(args, 0) & GL_COLOR_BUFFER_BIT:
+            if role is Role.CLEAR_BUFFER or name_among(args, 0) & GL_COLOR_BUFFER_BIT:
                 self._fresh = self._cleared = True
                 frames.end_read()
             return call(*args)
@@ -94,7 +96,7 @@ class Offscreen(Toolkit):
             if _draws_into_an_object():
                 self._read((name,), _framebuffer(GL_DRAW_FRAMEBUFFER_BINDING, None))
         elif role is Role.READ_PIXELS:
-            x, y, width, height, format_ = (_whole(args, each) for each in range(5))
+            x, y, width, height, format_ = (number(args, each) for each in range(5))
             if width * height > PICK_AREA:
                 size = (width, height) if not (x or y) else None
                 read = _framebuffer(GL_READ_FRAMEBUFFER_BINDING, size)
@@ -102,7 +104,7 @@ class Offscreen(Toolkit):
                 self._read(what, None if format_ in COLOURLESS else read)
         elif name in IMAGE_READS and self._cleared:  # one that was loaded is no picture
             by_name, format_at = IMAGE_READS[name]
-            texture, level, format_ = (_whole(args, each) for each in (0, 1, format_at))
+            texture, level, format_ = (name_among(args, each) for each in (0, 1, format_at))
             image = TextureImage(*((texture, 0) if by_name else (0, texture)), level)
             size = size_of(image)
             if size is not None and size[0] * size[1] > PICK_AREA:
@@ -149,15 +151,6 @@ def _framebuffer(binding: int, size: Size | None) -> Drawable:
 
 def _draws_into_an_object() -> bool:
     return has_framebuffers() and integer(GL_DRAW_FRAMEBUFFER_BINDING) != 0
-
-
-def _whole(args: _Args, position: int) -> int:
-    """An integer among arguments, in whatever form; 0 where there is none."""
-    try:
-        value = args[position]
-        return int(getattr(value, "value", value))  # type: ignore[arg-type]
-    except (IndexError, TypeError, ValueError):
-        return 0
 
 
 TOOLKITS = (Offscreen(),)

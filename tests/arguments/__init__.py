@@ -79,11 +79,12 @@ def differences(plain: Told, styled: Told) -> dict[str, tuple[str | None, str | 
 def told(
     flags: str, style: str, *, count: int = 0, seed: int = 0, everything: bool = False,
     skipped: tuple[int, ...] = (), handler: bool = False, functions: int = 0,
-    libraries: bool = False, others: str = "first",
+    libraries: bool = False, others: str = "first", only: str = "",
 ) -> Told:  # fmt: skip
     """The cases under a set of flags, all or so many by chance, in as many processes as it takes:
     what kills plain PyOpenGL is left out. functions: of so many by chance, 0 for all. libraries: of
-    GLU and GLUT. others: when other modules meddle with ctypes, "first" or "last"; see there."""
+    GLU and GLUT. others: when other modules meddle with ctypes, "first" or "last"; see there.
+    only: a regular expression that names are searched for."""
     found = Told()
     environment = {n: v for n, v in os.environ.items() if not n.startswith("GLSHIM_")}
     environment |= {"PYTHONPATH": str(ROOT), "PYTHONWARNINGS": "ignore"}
@@ -94,7 +95,7 @@ def told(
         given = json.dumps({"flags": flags_of(flags), "count": count, "seed": seed, "first": first,
                             "everything": everything, "handler": handler, "functions": functions,
                             "skipped": skipped, "libraries": libraries,
-                            "others": others})  # fmt: skip
+                            "others": others, "only": only})  # fmt: skip
         done = subprocess.run([sys.executable, str(WORKER), given], capture_output=True, text=True,
                               check=False, env=environment, errors="replace")  # fmt: skip
         found.said += done.stderr

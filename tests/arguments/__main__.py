@@ -33,13 +33,15 @@ def main() -> int:
     ask.add_argument("--libraries", action="store_true", help="GLU and GLUT")
     ask.add_argument("--others", choices=("first", "last", ""), default="first",
                      help="when other modules meddle with ctypes")
+    ask.add_argument("--only", default="", metavar="REGEX", help="functions by name")
     ask.add_argument("--show", type=int, default=20)
     given = ask.parse_args()
     bad = 0
     for flags in given.flags:
         how = {"count": given.count, "seed": given.seed, "everything": given.everything,
                "handler": given.handler, "functions": given.functions,
-               "libraries": given.libraries, "others": given.others}  # fmt: skip
+               "libraries": given.libraries, "others": given.others,
+               "only": given.only}  # fmt: skip
         plain = told(flags, "", **how)
         for at in plain.crashed[: given.show]:
             print(f"  ends plain PyOpenGL: {plain.cases[at]}")

@@ -14,9 +14,10 @@ from typing import Any
 
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl import programs
-from glshim.bindings.pyopengl.memory import address_of, number
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker, hook_function_below
 from glshim.driver import kinds, objects
+from glshim.driver.arguments import name as name_among
+from glshim.driver.arguments import place_of
 from glshim.spec.kinds import PROGRAM, Kind
 from glshim.spec.naming import BINDINGS, PLAIN, Naming, Row, row_of
 from glshim.system.interrupts import Held
@@ -69,7 +70,7 @@ def _meeting(row: Row) -> Maker:
 
     def maker(real: Call) -> Call:
         def meet(args: tuple[Any, ...]) -> None:
-            name = number(args, position)
+            name = name_among(args, position)
             if name > floors[kind]:
                 space = objects.space()
                 if space is not None and kind in space.last:
@@ -100,8 +101,8 @@ def _giving(row: Row) -> Maker:
 
 def _rename(row: Row, args: tuple[Any, ...], space: objects.Space) -> None:
     """Have the program given its own names, in place of those that the driver has given."""
-    kind, count = row.kind, number(args, row.position)
-    address = address_of(args[row.position + 1]) if 0 < count < 1 << 31 else 0
+    kind, count = row.kind, name_among(args, row.position)
+    address = place_of(args[row.position + 1]) if 0 < count < 1 << 31 else 0
     if not address:
         return
     memory = (ctypes.c_uint * count).from_address(address)
@@ -110,7 +111,7 @@ def _rename(row: Row, args: tuple[Any, ...], space: objects.Space) -> None:
     kinds.delete(kind, memory)
     names = space.given(kind, count)
     if row.naming is Naming.CREATES:
-        target = number(args, 0) if row.position else 0
+        target = name_among(args, 0) if row.position else 0
         for name in names:
             kinds.create(kind, name, target, BINDINGS.get(target, 0))
     for k, name in enumerate(names):

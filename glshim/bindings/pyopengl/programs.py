@@ -9,9 +9,10 @@ import ctypes
 from collections.abc import Callable
 from typing import Any
 
-from glshim.bindings.pyopengl.memory import address_of, number
 from glshim.bindings.pyopengl.raw import Call, Maker
 from glshim.driver import objects
+from glshim.driver.arguments import name as name_among
+from glshim.driver.arguments import place_of
 from glshim.driver.functions import LETTERS
 from glshim.spec import naming
 from glshim.system.interrupts import Held
@@ -95,7 +96,7 @@ def _taking(places: tuple[int, ...]) -> Maker:
 
     def maker(real: Call) -> Call:
         def hook(*args: Any, **named: Any) -> Any:
-            if len(args) >= last and any(objects.is_news(number(args, at)) for at in places):
+            if len(args) >= last and any(objects.is_news(name_among(args, at)) for at in places):
                 return _call(real, _translated(args, places), args, named)
             return real(*args, **named)
 
@@ -124,7 +125,7 @@ def _translated(args: tuple[Any, ...], places: tuple[int, ...]) -> tuple[Any, ..
         return args
     found = list(args)
     for at in places:
-        own = number(args, at)
+        own = name_among(args, at)
         drivers = programs.drivers(own)
         if drivers != own:
             found[at] = drivers
@@ -133,7 +134,7 @@ def _translated(args: tuple[Any, ...], places: tuple[int, ...]) -> tuple[Any, ..
 
 def _labelling(real: Call) -> Call:
     def hook(*args: Any, **named: Any) -> Any:
-        if len(args) > 1 and number(args, 0) in naming.LABELLED:
+        if len(args) > 1 and name_among(args, 0) in naming.LABELLED:
             return _call(real, _translated(args, (1,)), args, named)
         return real(*args, **named)
 
@@ -146,12 +147,12 @@ def _answering(element: Any, position: int) -> Maker:
     def maker(real: Call) -> Call:
         def hook(*args: Any, **named: Any) -> Any:
             def told() -> None:
-                programs, address = _programs(), address_of(args[position])
+                programs, address = _programs(), place_of(args[position])
                 if programs is not None and address:
                     answer = element.from_address(address)
                     answer.value = programs.own(int(answer.value))
 
-            if len(args) > position and number(args, position - 1) in naming.ASKED:
+            if len(args) > position and name_among(args, position - 1) in naming.ASKED:
                 return made(lambda: real(*args, **named), told)
             return real(*args, **named)
 
@@ -165,7 +166,7 @@ def _listing(count: int, array: int, places: tuple[int, ...]) -> Maker:
 
     def maker(real: Call) -> Call:
         def given(programs: objects.Programs, args: tuple[Any, ...]) -> tuple[Any, ...]:
-            some, address = number(args, count), address_of(args[array])
+            some, address = name_among(args, count), place_of(args[array])
             if not 0 < some < 1 << 16 or not address:
                 return args
             own = (ctypes.c_uint * some).from_address(address)
@@ -173,7 +174,7 @@ def _listing(count: int, array: int, places: tuple[int, ...]) -> Maker:
             return (*args[:array], drivers, *args[array + 1 :])
 
         def told(programs: objects.Programs, args: tuple[Any, ...]) -> None:
-            there, address = address_of(args[count]), address_of(args[array])
+            there, address = place_of(args[count]), place_of(args[array])
             if not there or not address:
                 return
             some = ctypes.c_int.from_address(there).value

@@ -10,10 +10,10 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import Watcher
-from glshim.bindings.pyopengl.memory import are_ints
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.driver import queries
+from glshim.driver.arguments import are_ints
 from glshim.driver.context import compiles_a_list
 from glshim.spec.roles import (
     IN_LISTS,

@@ -6,9 +6,9 @@ import ctypes
 from collections.abc import Hashable
 from typing import Any
 
+from glshim.driver.arguments import signed
 from glshim.driver.ask import integers, is_enabled, reals
 from glshim.driver.functions import gl
-from glshim.sources.arguments import signed
 from glshim.spec.constants import GL_COEFF, GL_DOMAIN, GL_ORDER
 from glshim.spec.draws import EVALUATOR_MESHES
 

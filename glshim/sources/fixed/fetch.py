@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.arguments import address_of, number, signed, unsigned
 from glshim.driver.ask import integer, of_buffer
 from glshim.driver.context import restarts_primitives
 from glshim.driver.functions import current_context, gl
 from glshim.model.batch import PolygonBatch, Wanted, join
 from glshim.model.caches import AgingCache
 from glshim.notices import say_once
-from glshim.sources.arguments import address_of, number, signed, unsigned
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.arrays import DTYPES, Array, Unfetchable, normal_array, vertex_array
 from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners

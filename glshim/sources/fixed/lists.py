@@ -16,10 +16,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver import arguments
+from glshim.driver.arguments import address_of, number
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, join
 from glshim.notices import say_once
-from glshim.sources import arguments
-from glshim.sources.arguments import address_of, number
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, transformed
 from glshim.sources.fixed.matrices import matrix_of

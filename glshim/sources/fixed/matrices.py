@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from glshim.driver.arguments import real_of
 from glshim.model.arrays import Matrix
 from glshim.model.transforms import (
     column_major,
@@ -16,7 +17,6 @@ from glshim.model.transforms import (
     scaling,
     translation,
 )
-from glshim.sources.arguments import real_of
 from glshim.spec.matrices import MatrixCall, Operation
 
 _FORMULAS: Mapping[Operation, Callable[..., Matrix]] = {

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from glshim.driver.arguments import integer_of
 from glshim.model.batch import PolygonBatch
-from glshim.sources.arguments import integer_of
 from glshim.sources.fixed.pointers import dtype_of, numbers_at
 from glshim.spec.attributes import (
     BY_NAME,

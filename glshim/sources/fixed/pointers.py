@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.sources.arguments import address_of, reals_of
+from glshim.driver.arguments import address_of, reals_of
 from glshim.system import memory
 
 _DTYPES: dict[str, type[np.generic]] = {

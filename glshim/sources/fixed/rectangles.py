@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from glshim.sources.arguments import real_of
+from glshim.driver.arguments import real_of
 from glshim.sources.fixed.pointers import numbers_at
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.draws import RECTANGLES

@@ -8,12 +8,12 @@ from dataclasses import replace
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver.arguments import number
 from glshim.driver.ask import integer
 from glshim.driver.functions import current_context, gl
 from glshim.model.batch import WHOLE, PolygonBatch, Wanted
 from glshim.model.camera import Camera
 from glshim.notices import say_once
-from glshim.sources.arguments import number
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.arrays import Unfetchable
 from glshim.sources.fixed.compiler import ListCompiler

@@ -7,11 +7,11 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
+from glshim.driver.arguments import name as name_among
+from glshim.driver.arguments import number
 from glshim.driver.queries import UNCOUNTED, counting
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
-from glshim.sources.arguments import name as name_among
-from glshim.sources.arguments import number
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from glshim.driver.arguments import name as name_among
 from glshim.driver.ask import integer, integers, is_enabled
 from glshim.model.boxes import Box, covers, overlap, without
-from glshim.sources.arguments import name as name_among
 from glshim.spec.constants import (
     GL_COLOR,
     GL_COLOR_BUFFER_BIT,

@@ -6,14 +6,13 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.base import PrimitiveStream
-from glshim.driver import kinds
+from glshim.driver import arguments, kinds
 from glshim.driver.context import shortcoming
 from glshim.driver.functions import current_context
 from glshim.driver.lifetime import witness
 from glshim.driver.objects import made
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
-from glshim.sources import arguments
 from glshim.sources.fixed.shapes import Shapes
 from glshim.sources.fixed.source import FixedFunction
 from glshim.sources.following.condition import Condition

@@ -15,6 +15,11 @@ _PLAIN = frozenset((int, float, bool))
 _VALUE: Any = vars(ctypes._SimpleCData)["value"]
 _INTERFACE: Any = vars(np.ndarray)["__array_interface__"]
 _OWN = frozenset(("OpenGL", "OpenGL_accelerate"))
+_OF_CTYPES: tuple[Any, ...] = (
+    ctypes._SimpleCData, ctypes._Pointer, ctypes.Array, ctypes.Structure, ctypes.Union,
+    ctypes._CFuncPtr, type(ctypes.byref(ctypes.c_int())),  # type: ignore[attr-defined]
+)  # fmt: skip
+
 
 def integer_of(value: Any) -> int:
     """An integer, given plain, by numpy or by ctypes. Raises TypeError for anything else."""
@@ -82,9 +87,35 @@ def name(args: tuple[Any, ...], position: int) -> int:
     return number(args, position) & 0xFFFFFFFF
 
 
+def are_ints(args: tuple[Any, ...]) -> bool:
+    """Whether nothing of the program's runs while they are read: signal handlers may wait then. Of
+    other kinds a handler may strike in the midst of reading, and raise there."""
+    return all(type(value) is int for value in args)
+
+
+def place_of(value: Any) -> int:
+    """`address_of`; 0 where that cannot be told."""
+    try:
+        return address_of(value)
+    except TypeError as error:
+        if not is_ours(error):
+            raise
+        return 0
+
+
 def address_of(value: Any) -> int:
     """The address, or the offset in a buffer, that an argument stands for. Raises TypeError where
-    that cannot be told."""
+    that cannot be told. No code of the program's runs."""
+    for _ in range(8):
+        found = _known_address(value)
+        if found is not None:
+            return found
+        value = getattr_static(value, "_as_parameter_", None)
+    raise TypeError("what stands for the argument is itself")
+
+
+def _known_address(value: Any) -> int | None:
+    """None for what another object may stand for."""
     if value is None:
         return 0
     kind = type(value)
@@ -95,12 +126,19 @@ def address_of(value: Any) -> int:
     if issubclass(kind, np.ndarray):
         return int(_INTERFACE.__get__(value)["data"][0])
     if issubclass(kind, (str, list, tuple)):  # PyOpenGL made a copy of it, which is gone
-        raise TypeError(f"a {type(value).__name__} has no address")
-    try:
-        return int(ctypes.cast(value, ctypes.c_void_p).value or 0)  # all of ctypes; bytes
-    except (TypeError, ValueError, ctypes.ArgumentError) as error:
-        if not is_ours(error):
-            raise
+        raise TypeError(f"a {kind.__name__} has no address")
+    if issubclass(kind, (bytes, *_OF_CTYPES)):
+        try:
+            return int(ctypes.cast(value, ctypes.c_void_p).value or 0)
+        except (TypeError, ValueError, ctypes.ArgumentError) as error:
+            if not is_ours(error):
+                raise
+    elif getattr_static(value, "_as_parameter_", None) is not None:
+        return None
+    return _by_pyopengl(value)
+
+
+def _by_pyopengl(value: Any) -> int:
     from OpenGL.arrays import ArrayDatatype
 
     try:
