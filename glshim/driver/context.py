@@ -129,7 +129,7 @@ def shortcoming() -> str:
     """Why no lines can be drawn in the current context, whoever expands them; empty if they can."""
     number = version()
     if number is None:
-        return f"version {version_text()!r} is not one of desktop OpenGL"
+        return f"version {version_text()!r} is not desktop OpenGL"
     if number < OLDEST:
         return "OpenGL {}.{} is older than {}.{}".format(*number, *OLDEST)
     if not has_framebuffers():
@@ -138,7 +138,7 @@ def shortcoming() -> str:
         return NO_FIXED_FUNCTION
     units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS)
     if units < _UNITS_NEEDED:
-        return f"{units} texture units are fewer than the {_UNITS_NEEDED} that lines need"
+        return f"{units} texture units, and lines need {_UNITS_NEEDED}"
     return ""
 
 

@@ -48,7 +48,7 @@ glVertexPointer(3, GL_FLOAT, 0, points)
 """
 UNSEEN = "frames(quad, 3, lambda: None)\nimport os; print('shown'); sys.stdout.flush()\n"
 REASONS = {
-    "own shaders": (DEPTH + SHADERS + "frames(quad)", "shader programs of its own"),
+    "own shaders": (DEPTH + SHADERS + "frames(quad)", "its own shaders"),
     "lines": (DEPTH + "frames(lambda: quad(GL_LINES))", "only lines, points or pixels"),
     "lines of arrays": (
         ARRAYS + "frames(lambda: glDrawArrays(GL_LINES, 0, 4))", "only lines, points or pixels",
@@ -80,7 +80,7 @@ def run(tmp_path: Path, program: str, style: str) -> subprocess.CompletedProcess
 def said(done: subprocess.CompletedProcess[str]) -> list[str]:
     """What is said of no line."""
     assert done.returncode == 0, done.stderr
-    return [line for line in done.stderr.splitlines() if "no line is drawn" in line]
+    return [line for line in done.stderr.splitlines() if "no lines are drawn" in line]
 
 
 @pytest.mark.parametrize("name", some(tuple(REASONS), 3))

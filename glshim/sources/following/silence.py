@@ -15,18 +15,18 @@ FRAMES, SECONDS = 60, 2.0
 DARK = 0.3
 """Of the brightest channel, at most."""
 
-_TELLS_MORE = "(`glshim doctor PROGRAM` tells more)"
+_TELLS_MORE = "(`glshim doctor PROGRAM` has the details)"
 _WHY = {
-    IN_USE: "it draws with shader programs of its own, and glshim follows fixed-function drawing: "
-    "see whether the program has a mode for older OpenGL",
-    census.NO_DEPTH_TEST: "its polygons are drawn without depth test, so it is not known which are "
-    "in front: see whether the program has a 3D view, or a setting for depth",
-    census.NO_DEPTH_WRITES: "its polygons do not write depth, as transparent things: make them "
-    "opaque in the program",
+    IN_USE: "it draws with its own shaders, and glshim restyles only fixed-function drawing: see "
+    "whether the program has a mode for older OpenGL",
+    census.NO_DEPTH_TEST: "its polygons are drawn without depth test, so nothing tells which are "
+    "in front: look for a 3D view, or a depth setting in the program",
+    census.NO_DEPTH_WRITES: "its polygons do not write depth, as if they were transparent: make "
+    "them opaque in the program",
     census.NOT_FILLED: "its polygons are drawn as lines or points: switch the program to a solid "
     "view",
-    census.HUD: "its polygons are drawn flat over a picture, as texts and buttons are: lines come "
-    "on solids",
+    census.HUD: "its polygons are drawn flat over a picture, as texts and buttons are: only "
+    "solids get lines",
 }
 """Reasons for which polygons pass, at length and with what to do."""
 _ONLY_LINES = (
@@ -34,16 +34,15 @@ _ONLY_LINES = (
     "program to a solid view"
 )
 _NOTHING = (
-    "it draws nothing through PyOpenGL: what moderngl, pyglet and vispy draw by themselves is not "
+    "it draws nothing through PyOpenGL: drawing by moderngl, pyglet and vispy themselves is not "
     "followed"
 )
 _NO_ADDITION = (
-    "its polygons are followed, but the style adds nothing to them: `glshim styles NAME` lists "
-    "what it can draw"
+    "the style adds nothing to its polygons: `glshim styles NAME` lists what the style can draw"
 )
 _NO_FRAME = (
-    "no end of a frame was seen, and lines are added there: the window's toolkit is none that "
-    "glshim knows (`glshim doctor` lists them)"
+    "no end of a frame was seen, where lines are added: glshim does not know the toolkit of the "
+    "window (`glshim doctor` lists those that it knows)"
 )
 
 
@@ -116,8 +115,8 @@ class Silence:
         if max(cleared[:3]) <= DARK and max(map(max, inks.values())) <= DARK:
             self._hinted = True
             say(
-                "the program's background is dark, and lines as dark can hardly be seen on it: try "
-                f"{style}:{next(iter(inks))}=#ffffff, or a style that brings paper, such as sketch"
+                "the program's background is dark, and dark lines can hardly be seen on it: try "
+                f"{style}:{next(iter(inks))}=#ffffff, or a style with paper, such as sketch"
             )
 
     def _is_long(self, count: int) -> bool:
@@ -129,4 +128,4 @@ class Silence:
     def _say(self, why: str) -> None:
         self._over = True
         if why:
-            say(f"no line is drawn: {why} {_TELLS_MORE}")
+            say(f"no lines are drawn: {why} {_TELLS_MORE}")

@@ -11,7 +11,7 @@ from glshim.model.camera import Camera
 from glshim.sources.source import Drawn, Polygons
 from glshim.sources.state import DrawState
 
-IN_USE = "the app's own shader program is in use"
+IN_USE = "the program's own shaders are in use"
 
 
 class Programs:
