@@ -8,6 +8,7 @@ import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cache
 from importlib.resources import files
 from typing import Any
 
@@ -227,8 +228,14 @@ def _used(draw: Lines | Pass) -> set[str]:
     """The words that stand more than once in a text of the shader: declared, and used."""
     shader = shader_of(draw)
     texts = (shader.vertex, getattr(shader, "geometry", ""), shader.fragment)
-    counts = (Counter(_NAME.findall(_COMMENT.sub(" ", text))) for text in texts)
-    return {word for counted in counts for word, count in counted.items() if count > 1}
+    return {word for text in texts for word in _repeated(text)}
+
+
+@cache
+def _repeated(text: str) -> frozenset[str]:
+    """The words that stand more than once in a text."""
+    counted = Counter(_NAME.findall(_COMMENT.sub(" ", text)))
+    return frozenset(word for word, count in counted.items() if count > 1)
 
 
 def _uniforms_of(
@@ -264,7 +271,8 @@ def _uniforms_of(
             )
 
 
-def _declared(text: str) -> dict[str, str]:
+@cache
+def _declared(text: str) -> Mapping[str, str]:
     """The uniforms of a GLSL text: types by name."""
     found: dict[str, str] = {}
     for kind, names in _UNIFORM.findall(_COMMENT.sub(" ", text)):
@@ -325,6 +333,8 @@ def variants(styler: Styler) -> list[tuple[str, Styler]]:
             values = (option.low, option.high)
         else:
             values = option.choices + (((0.2, 0.4, 0.6),) if "colour" in option.kind else ())
+        if option.follows:  # the same code as for what it follows, which takes them all
+            values = values[-1:]
         for value in values:
             if value is not None and value != now:
                 text = f"{option.name}={option.show(value)}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache, cached_property
 from math import radians
 from types import MappingProxyType
 from typing import Any
@@ -56,12 +57,18 @@ class LineStyle(Styler):
     texture_length: float
     dash: float
 
-    def kinds(self) -> tuple[str, ...]:
+    @classmethod
+    @cache
+    def kinds(cls) -> tuple[str, ...]:
         """Those that it may draw."""
-        return tuple(kind for kind in SWITCHES if hasattr(self, f"{kind}_width"))
+        return tuple(kind for kind in SWITCHES if hasattr(cls, f"{kind}_width"))
 
     def looks(self) -> dict[str, Look]:
         """Of every kind that is switched on."""
+        return dict(self._looks)
+
+    @cached_property
+    def _looks(self) -> dict[str, Look]:
         return {kind: self.look(kind) for kind in self.kinds() if self.is_on(kind)}
 
     def is_on(self, kind: str) -> bool:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
-from typing import TypeVar
+from functools import lru_cache
+from typing import Any, TypeVar
 
 from glshim.styling.lines import Lines, Medium
 from glshim.styling.media.ink import Hidden, ink
 from glshim.styling.protocol import Layer
+from glshim.styling.textures import TEXTURES
 from glshim.styling.wishes import Choice, Features
 
 from .kinds import SWITCHES, Look
@@ -16,6 +18,8 @@ from .kinds import SWITCHES, Look
 Looks = Mapping[str, Look]
 """By kind."""
 _Wanted = TypeVar("_Wanted", Choice, Features)
+_LASTING = frozenset(("none", *TEXTURES))
+"""Textures that are made here."""
 
 
 def parted(looks: Looks, *, plain_apart: bool = True) -> list[dict[str, Look]]:
@@ -59,10 +63,26 @@ def inked(
     hidden_share: float = 1.0,
 ) -> Iterator[Lines]:
     """The lines that are wanted, in ink."""
+    plan = _plan if all(look.texture in _LASTING for look in looks.values()) else _plan.__wrapped__
+    kinds = tuple(looks.items())
+    for found, medium in plan(wanted, kinds, texture_length, hidden, hidden_share):
+        yield Lines(layer.bodies, found, medium)
+
+
+@lru_cache(maxsize=64)
+def _plan(
+    wanted: Any,
+    kinds: tuple[tuple[str, Look], ...],
+    texture_length: float,
+    hidden: Hidden,
+    hidden_share: float,
+) -> tuple[tuple[Choice | Features, Medium], ...]:
+    """What is drawn with what, the same for every layer. Pictures in files may change."""
     # Dashes of what is hidden lie on the pattern of a stroke, which plain ones lack beside others.
-    for some in parted(looks, plain_apart=hidden == "dashed"):
-        medium = _ink(some, texture_length, hidden, hidden_share)
-        yield Lines(layer.bodies, only(wanted, some), medium)
+    return tuple(
+        (only(wanted, some), _ink(some, texture_length, hidden, hidden_share))
+        for some in parted(dict(kinds), plain_apart=hidden == "dashed")
+    )
 
 
 def _ink(looks: Looks, texture_length: float, hidden: Hidden, hidden_share: float) -> Medium:

@@ -28,7 +28,8 @@ STYLES = (
     "crease:texture=pen,hidden_by=back_faces,indicator=verifiers", "sketch:boil=8",
     "blueprint:dimensions=1",
     "cartoon", "technical", "hiddenline:edges=all,hidden=dashed",
-    "cartoon:textures=off,shade_unlit=head",
+    "cartoon:textures=off,shade_unlit=head", "two_pass:dash=12,ridges=on", "fins:dash=9",
+    "shadow+crease:contour.dash=9", "hiddenline+pencil:dash=12",
 )  # fmt: skip
 """Beside raskar, which every scene meets in every run. The same guard stands around all of them and
 the same recorder below: some in turn."""

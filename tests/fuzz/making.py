@@ -16,7 +16,8 @@ OTHERS = (
     "edge_mesh:strokes=half,outer=on,hidden=dimmed", "two_pass:fill=#ff8000", "shadow:light=fixed",
     "fins:fill=cel,joints=overhang", "crease:texture=pen,hidden_by=back_faces,indicator=verifiers",
     "sketch:boil=8", "blueprint:dimensions=1", "hiddenline:edges=all,hidden=dashed",
-    "cartoon:textures=off,shade_unlit=head",
+    "cartoon:textures=off,shade_unlit=head", "cartoon+crease:contour.dash=9", "fur+hiddenline",
+    "two_pass:dash=12,ridges=on,ridge.texture=pen", "fins:dash=9,valleys=on", "pencil:dash=12",
 )  # fmt: skip
 """Beside every installed styler and look: options that take other ways."""
 

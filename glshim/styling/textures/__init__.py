@@ -73,7 +73,7 @@ def _cut(image: Image, tiles: int, dashes: int) -> Image:
     return Image(pixels)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _image(make: _Make, width: float, length: float) -> Image:
     ink = make(width, length)
     pixels = np.full((*ink.shape, 4), 255, np.uint8)

@@ -169,7 +169,7 @@ def brush(name: str, width: float, length: float = 0.0) -> tuple[Image, float, b
     return image, length or width * columns / height, is_coloured(image)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _image(name: str, width: float, length: float) -> Image:
     ink = _MADE[name](_Sheet(width, length, BRUSHES.index(name)))
     pixels = np.full((*ink.shape, 4), 255, np.uint8)
