@@ -91,6 +91,16 @@ def test_the_page_of_styles_has_every_style_and_look() -> None:
     assert set(re.findall(r"`(\w+)`", rows)) == {*registry.names(), *registry.looks()}
 
 
+def test_the_changelog_has_the_usual_form() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    headings = re.findall(r"^#+ .+", text, re.MULTILINE)
+    assert headings[:2] == ["# Changelog", "## [Unreleased]"]
+    kinds = "Added|Changed|Deprecated|Removed|Fixed|Security"
+    for heading in headings[2:]:
+        assert re.fullmatch(rf"## \[[\d.]+\] - \d{{4}}-\d\d-\d\d|### ({kinds})", heading)
+    assert re.findall(r"^[*-] .+", text.partition("\n### ")[0], re.MULTILINE) == []
+
+
 def test_links_lead_to_pages_and_headings() -> None:
     page = ROOT / "README.md"
     found = links("[a](docs/index.md#guide) ![b](none.png) [c](https://host/x.md) [d](#limits)")
