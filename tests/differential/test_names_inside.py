@@ -27,3 +27,18 @@ def _names(style: str | None) -> list[str]:
 
 def test_names_after_a_primitive() -> None:
     assert _names("pencil") == _names(None)
+
+
+def test_refused_inside_a_primitive() -> None:
+    """Nothing was called, and GL finds no error."""
+    app = App()
+    with styled("pencil"), window() as handle:
+        prepare()
+        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+        glfw.swap_buffers(handle)
+        GL.glBegin(GL.GL_QUADS)
+        for refused in (GL.glCreateShader, GL.glUseProgram, GL.glGetAttachedShaders):
+            app.tries(refused, "1")
+        app.tries(GL.glEnd)
+    assert ["ArgumentError" in said for said in app.saw] == [True, True, True, False]
+    assert app.saw[-1] == "None"

@@ -72,7 +72,7 @@ def _meeting(row: Row) -> Maker:
         def meet(args: tuple[Any, ...]) -> None:
             name = name_among(args, position)
             if name > floors[kind]:
-                space = objects.space()
+                space = programs.space()
                 if space is not None and kind in space.last:
                     space.met(kind, name)
 
@@ -87,7 +87,7 @@ def _meeting(row: Row) -> Maker:
 def _giving(row: Row) -> Maker:
     def maker(real: Call) -> Call:
         def hook(*args: Any, **named: Any) -> Any:
-            space = objects.space()
+            space = programs.space()
             if space is None or row.kind not in space.last:
                 return real(*args, **named)
             with Held():

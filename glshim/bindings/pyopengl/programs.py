@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from glshim.bindings.pyopengl.raw import Call, Maker
+from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.driver import objects
 from glshim.driver.arguments import name as name_among
 from glshim.driver.arguments import place_of
@@ -52,9 +53,15 @@ def maker_of(name: str) -> Maker | None:
     return _taking(places) if places else None
 
 
+def space() -> objects.Space | None:
+    """The names of the current context, if any of ours are among them. Inside a primitive none: GL
+    gives none there, and to ask is an error that the program would find."""
+    return None if RECORDER.record.inside() else objects.space()
+
+
 def _programs() -> objects.Programs | None:
-    space = objects.space()
-    return None if space is None else space.programs
+    found = space()
+    return None if found is None else found.programs
 
 
 def _making(real: Call) -> Call:
