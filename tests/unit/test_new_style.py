@@ -51,7 +51,8 @@ def test_it_writes_a_style_and_says_how_to_run_it(
         assert f"{command} {style}" in out
         assert f"    {command} {style}" in (folder / file).read_text()
     made = parse_style(style)
-    assert [str(found) for check in values.CHECKS if (found := finding(check, made)).wrong] == []
+    checks = values.CHECKS if file.endswith(".py") else ()  # others are styles that are installed
+    assert [str(found) for check in checks if (found := finding(check, made)).wrong] == []
     assert not re.search("FILE|CLASS|NAME|STYLE", (folder / file).read_text())
 
 
