@@ -143,9 +143,9 @@ def test_a_program_that_counts_frames_is_whole_in_one_tile_and_told_of_in_many(
 
 
 MOMENTS = [("glut",), ("qt", 30), ("glfw", 7), ("tk", 30), ("pygame",), ("qt",), ("pygame", 30),
-           ("tk",)]
-SOURCES = {"qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",)}
-TICKS = {("glut",): 2, ("glut", 100): 2, ("qt", 30): 1, ("tk", 30): 2}
+           ("tk",), ("pyglet", 30)]
+SOURCES = {"qt": ("PyQt5", "dxf2gcode"), "tk": ("pyopengltk",), "pyglet": ("pyglet",)}
+TICKS = {("glut",): 2, ("glut", 100): 2, ("qt", 30): 1, ("tk", 30): 2, ("pyglet", 30): 1}
 """How often a timer comes before the third frame, with a widget's first paints."""
 
 

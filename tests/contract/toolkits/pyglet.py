@@ -40,7 +40,15 @@ class PygletRig(Rig):
             def get_framebuffer_size(self) -> tuple[int, int]:
                 return SIZE
 
-        self.modules = {"pyglet.window": SimpleNamespace(BaseWindow=BaseWindow, Window=Window)}
+        class Loop:
+            def step(self, timeout: float | None = None) -> bool:
+                return timeout is None or timeout > 0.0
+
+        self.loop = Loop()
+        self.modules = {
+            "pyglet.window": SimpleNamespace(BaseWindow=BaseWindow, Window=Window),
+            "pyglet.app": SimpleNamespace(platform_event_loop=self.loop, windows=set()),
+        }
 
     def take(self) -> None:
         self.kind = self.modules["pyglet.window"].Window
@@ -57,6 +65,15 @@ class PygletRig(Rig):
 
     def redraws(self) -> int:
         return self.asked
+
+    def seconds(self) -> float:
+        """What the loop waits for passes at once."""
+        moment = self.toolkit.moment
+        before = moment.now
+        assert not self.loop.step(0.25)
+        assert moment.now == before + (0.0 if moment.held else 0.25)
+        moment.now = before
+        return moment.now
 
 
 RIGS: dict[str, Callable[[], Rig]] = {"pyglet": PygletRig}

@@ -120,4 +120,13 @@ def tk():
     root.mainloop()
 
 
+def pyglet():
+    import pyglet
+
+    window = pyglet.window.Window(*SIZE, config=pyglet.gl.Config(double_buffer=True))
+    window.set_handler("on_draw", lambda: draw(time.monotonic() - STARTED))
+    pyglet.clock.schedule_interval(tick, PERIOD / 1000)
+    pyglet.app.run()
+
+
 globals()[KIND]()
