@@ -9,6 +9,8 @@ import ctypes
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
+
 from glshim.bindings.pyopengl.raw import Call, Maker
 from glshim.bindings.pyopengl.recorder import RECORDER
 from glshim.driver import objects
@@ -16,6 +18,7 @@ from glshim.driver.arguments import name as name_among
 from glshim.driver.arguments import place_of
 from glshim.driver.functions import LETTERS
 from glshim.spec import naming
+from glshim.system import memory
 from glshim.system.interrupts import Held
 
 Translate = Callable[[int], int]
@@ -168,15 +171,23 @@ def _answering(element: Any, position: int) -> Maker:
     return maker
 
 
+def _is_of_another_type(names: Any) -> bool:
+    """Whether it is an array that PyOpenGL refuses."""
+    return type(names) is np.ndarray and names.dtype != np.uint32
+
+
 def _listing(count: int, array: int, places: tuple[int, ...]) -> Maker:
     """Shaders in an array: what is given to the driver, or what it gives."""
 
     def maker(real: Call) -> Call:
         def given(programs: objects.Programs, args: tuple[Any, ...]) -> tuple[Any, ...]:
-            some, address = name_among(args, count), place_of(args[array])
-            if not 0 < some < 1 << 16 or not address:
+            some, names = name_among(args, count), args[array]
+            if not 0 < some < 1 << 16 or not place_of(names) or _is_of_another_type(names):
                 return args
-            own = (ctypes.c_uint * some).from_address(address)
+            found = memory.read(place_of(names), 4 * some)  # which may be refused yet
+            own = () if found is None else found.view(np.uint32).tolist()
+            if not any(map(objects.is_news, own)):
+                return args
             drivers = (ctypes.c_uint * some)(*map(programs.drivers, own))
             return (*args[:array], drivers, *args[array + 1 :])
 
