@@ -152,7 +152,7 @@ def test_bodies_keep_the_order_of_drawing() -> None:
          "what was glshim.geometry.camera is in glshim.model.camera now"),
         ("from glshim.geometry.strokes.lines import RECORD", "is in glshim.model.lines now"),
         ("from glshim.render.passes.runner import Runner", "is in glshim.outputs.gl now"),
-        ("from stylers.strokes import made", "is in glshim.styling.textures now"),
+        ("from stylers.strokes import made", "write from glshim import made"),
         ("from stylers.gone import Raskar", "what was stylers is in glshim_stylers now"),
         ("from glshim.gone import away", "what stylers need is imported from glshim itself"),
         ("import elsewhere", "No module named 'elsewhere'"),
