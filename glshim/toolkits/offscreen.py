@@ -12,8 +12,6 @@ from typing import Any, ClassVar
 
 from glshim.bindings.pyopengl.pictures import stand_around
 from glshim.bindings.pyopengl.raw import Call
-from glshim.driver.arguments import name as name_among
-from glshim.driver.arguments import number
 from glshim.driver.ask import integer, size_of
 from glshim.driver.context import has_framebuffers
 from glshim.spec.constants import (
@@ -74,7 +72,7 @@ class Offscreen(Toolkit):
             return call(*args)
         role = role_of(name)
         if role is Role.CLEAR or role is Role.CLEAR_BUFFER:
-            if role is Role.CLEAR_BUFFER or name_among(args, 0) & GL_COLOR_BUFFER_BIT:
+            if role is Role.CLEAR_BUFFER or _numbers(args, 0)[0] & GL_COLOR_BUFFER_BIT:
                 self._fresh = self._cleared = True
                 frames.end_read()
             return call(*args)
@@ -96,7 +94,7 @@ class Offscreen(Toolkit):
             if _draws_into_an_object():
                 self._read((name,), _framebuffer(GL_DRAW_FRAMEBUFFER_BINDING, None))
         elif role is Role.READ_PIXELS:
-            x, y, width, height, format_ = (number(args, each) for each in range(5))
+            x, y, width, height, format_ = _numbers(args, *range(5))
             if width * height > PICK_AREA:
                 size = (width, height) if not (x or y) else None
                 read = _framebuffer(GL_READ_FRAMEBUFFER_BINDING, size)
@@ -104,7 +102,7 @@ class Offscreen(Toolkit):
                 self._read(what, None if format_ in COLOURLESS else read)
         elif name in IMAGE_READS and self._cleared:  # one that was loaded is no picture
             by_name, format_at = IMAGE_READS[name]
-            texture, level, format_ = (name_among(args, each) for each in (0, 1, format_at))
+            texture, level, format_ = _numbers(args, 0, 1, format_at)
             image = TextureImage(*((texture, 0) if by_name else (0, texture)), level)
             size = size_of(image)
             if size is not None and size[0] * size[1] > PICK_AREA:
@@ -129,6 +127,13 @@ class Offscreen(Toolkit):
             self._known.clear()
         self._known.add(what)
         return new
+
+
+def _numbers(args: _Args, *positions: int) -> list[int]:
+    """Integers among arguments; 0 where there is none."""
+    from glshim.driver.arguments import number  # and numpy: late, for who only asks
+
+    return [number(args, each) for each in positions]
 
 
 def _is_single_buffered() -> bool:
