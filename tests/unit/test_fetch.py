@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from glshim.driver import arguments
 from glshim.model.batch import POSITIONS, Wanted
-from glshim.sources import arguments
 from glshim.sources.fixed import fetch
 from glshim.sources.fixed.arrays import Array, Unfetchable
 from glshim.sources.fixed.immediate import POLYGON_MODES, complete, polygon_corners
