@@ -54,6 +54,8 @@ def main() -> int:
                 f"{len(plain.crashed)} end plain PyOpenGL, {len(styled.crashed)} more under it",
                 flush=True,
             )
+            for at in styled.crashed[: given.show]:
+                print(f"  ends it: {styled.cases[at]}")
             for case, (one, other) in list(differ.items())[: given.show]:
                 print(f"  {case}")
                 for a, b in pairs(one, other):

@@ -81,7 +81,7 @@ def pointers(value: Any) -> dict[str, Callable[[], Any]]:
         "asked parameter": lambda: Asked(value),
         "deep parameter": lambda: Asked(Asked(value)),
         "void": lambda: ctypes.cast(ctypes.byref(there), ctypes.c_void_p),
-        "array": type(value) * 1,
+        "array": ctypes.POINTER(type(there)) * 64,
         "other": lambda: other,
         "number": lambda: 1,
         "str": lambda: "1",

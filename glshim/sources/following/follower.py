@@ -354,6 +354,8 @@ class Follower:
     @contained
     def finish_frame(self) -> None:
         """A toolkit is about to present the current context's picture."""
+        if self._stream.inside():  # an error, or refused: nothing may be said to GL here
+            return
         scene = self._scenes.current()
         if scene is not None:
             self._finish(scene)
