@@ -17,9 +17,10 @@ from glshim.driver import errorflag
 from glshim.driver.functions import gl
 from glshim.driver.queries import counting
 from glshim.driver.unnoticed import Unnoticed
+from glshim.toolkits import frames
 
 from .test_contexts import VISIBLE, cube, inked
-from .world import App, run, window
+from .world import App, prepare, run, styled, window
 
 
 def _too_large() -> None:
@@ -317,3 +318,15 @@ def test_what_is_in_use_when_a_layer_ends_stays_so(use: Callable[[App], None], s
     assert run(scene).differences(outcome, pictures=False) == {}
     if use is not _deleted:
         assert inked(outcome) > 60
+
+
+def test_a_swap_that_is_refused_inside_a_primitive() -> None:
+    """Nothing was called, and GL finds no error."""
+    app = App()
+    with styled("raskar"), window():
+        prepare()
+        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+        GL.glBegin(GL.GL_TRIANGLES)
+        app.tries(frames.present, lambda: int("refused"))
+        app.tries(GL.glEnd)
+    assert app.saw[-1] == "None"
