@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
@@ -153,7 +154,7 @@ def test_ink_is_mixed_with_whatever_lies_below(backend, colour):
 
 def ink_of(backend, mesh, camera, style):
     """(SIZE, SIZE) the share of ink, from black ink on white."""
-    black = Raskar(**{**vars(style), "ink": (0.0, 0.0, 0.0)})
+    black = replace(style, ink=(0.0, 0.0, 0.0))
     look.clear()
     look.draw_base(mesh, camera, (1, 1, 1))
     backend.render(black.draws(Layer(((mesh, camera),))))

@@ -9,7 +9,7 @@ from functools import partial
 from types import ModuleType
 from typing import Any
 
-from numpy import ndarray
+from numpy import generic, ndarray
 
 from glshim.bindings.base import ShapeSink
 from glshim.bindings.imports import after_import
@@ -216,6 +216,10 @@ def _content(name: str, args: Any) -> Hashable | None:
         kind = type(arg)
         if kind in _PLAIN:
             parts.append(arg)
+        elif issubclass(kind, int) and kind.__module__ == _CONSTANTS:
+            parts.append(int(arg))
+        elif issubclass(kind, generic) and kind.__module__ == "numpy":
+            parts.append(arg.item())
         elif issubclass(kind, ctypes._Pointer):
             parts.append(_address(arg))
         elif kind is ndarray or issubclass(kind, _OF_CTYPES):
@@ -228,6 +232,8 @@ def _content(name: str, args: Any) -> Hashable | None:
 
 
 _PLAIN = frozenset((int, float, bool, bytes, type(None)))
+_CONSTANTS = "OpenGL.constant"
+"""Where PyOpenGL's own kinds of numbers live."""
 _OF_CTYPES = (ctypes.Array, ctypes.Structure, ctypes._SimpleCData)
 _REFERENCE = type(ctypes.byref(ctypes.c_int()))
 
