@@ -177,19 +177,19 @@ class Ending:
 def _ending(on: Drawable) -> Iterator[None]:
     """Inside it a frame is shown, once: toolkits call one another."""
     global _drawable, _shown, _read
-    outer, _drawable = _drawable, on
-    _shown, _read = _shown or on.is_shown, None
-    thread = get_ident()
-    _showing.add(thread)
-    try:
+    outer, thread = _drawable, get_ident()
+    try:  # a signal handler of the app's may raise from here on
+        _drawable = on
+        _shown, _read = _shown or on.is_shown, None
+        _showing.add(thread)
         with Held():
             for listener in _listeners:
                 _call(listener.before)
         yield
         _over(on)
     finally:
-        _showing.discard(thread)
         _drawable = outer
+        _showing.discard(thread)
 
 
 def _over(drawable: Drawable) -> None:
@@ -215,8 +215,9 @@ def finish_drawing() -> None:
 def read_back(on: Drawable) -> None:
     """The app has read its picture. It is a frame unless a toolkit shows it yet."""
     global _drawable, _read
-    outer, _drawable = _drawable, on
+    outer = _drawable
     try:
+        _drawable = on
         with Held():
             for listener in _listeners:
                 _call(listener.read)
@@ -231,8 +232,9 @@ def end_read() -> None:
     on, _read = _read, None
     if on is None:
         return
-    outer, _drawable = _drawable, on
+    outer = _drawable
     try:
+        _drawable = on
         finish_drawing()
         _over(on)
     finally:
@@ -254,11 +256,11 @@ def _context_is_current() -> bool:
 def drawing(on: Drawable) -> Iterator[None]:
     """Frames that end inside belong to this drawable."""
     global _drawable
-    outer, _drawable = _drawable, on
-    thread = get_ident()
+    outer, thread = _drawable, get_ident()
     is_first = thread not in _drawing
-    _drawing.add(thread)
     try:
+        _drawable = on
+        _drawing.add(thread)
         yield
     finally:
         _drawable = outer

@@ -31,9 +31,11 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture
 def current(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A context is current, and nobody listens."""
+    """A context is current, nobody listens, and no frame is being shown."""
     monkeypatch.setattr(frames, "_context_is_current", lambda: True)
     monkeypatch.setattr(frames, "_listeners", ())
+    monkeypatch.setattr(frames, "_drawable", frames.UNKNOWN)
+    monkeypatch.setattr(frames, "_showing", set())
 
 
 @pytest.mark.usefixtures("current")

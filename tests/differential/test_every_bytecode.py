@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 from OpenGL import GL
 
+from glshim.toolkits import frames
 from tests import sweep
 
 from .test_interrupts import Frames, Interrupt, alike, integers, matrices
@@ -192,3 +193,18 @@ def test_a_signal_at_any_bytecode(
         program.frames.picture()
         assert alike(program.frames.picture(), right)
     assert "glshim" not in capfd.readouterr().err
+
+
+def test_a_frame_that_is_about_to_be_shown(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Interrupted at any bytecode before that, it is not being shown any more."""
+    monkeypatch.setattr(frames, "_context_is_current", lambda: True)
+    listener = frames.listen(frames.Stage.DRAW, before=lambda: None)
+    on = frames.Drawable(lambda: (3, 4))
+    counted, swapped = Bytecodes(OURS), list[int]()
+    try:
+        counted.during(lambda: frames.present(lambda: swapped.append(counted.seen), on=on))
+        for at in range(1, swapped[0]):
+            Bytecodes(OURS, at).during(lambda: frames.present(lambda: None, on=on))
+            assert (frames.drawable_size(), frames._showing) == (None, set()), at
+    finally:
+        listener.stop()

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import threading
 
 import pytest
 
-from glshim.bindings.pyopengl import threads
 from glshim.bindings.pyopengl.record import Record
 
 LISTED_FIRST = """
@@ -45,21 +45,13 @@ def test_a_list_is_the_first_that_is_drawn() -> None:
     assert int(done.stdout) > 60, done.stderr
 
 
-def test_a_record_is_shared_from_the_second_thread_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(threads, "others", lambda: 0)
+def test_each_thread_has_a_primitive_of_its_own() -> None:
     record = Record()
-    threads.look(record)
-    assert type(record) is Record
-    record.list_open, record.mode = True, 7
-    monkeypatch.setattr(threads, "others", lambda: 1)
-    threads.look(record)
-    assert type(record) is not Record
-    assert isinstance(record, Record)
-    assert (record.list_open, record.mode) == (True, 7)
-    record.aside = True
+    record.list_open, record.mode, record.aside = True, 7, True
     found: list[object] = []
-    other = threads.threading.Thread(
+    other = threading.Thread(
         target=lambda: found.extend((record.list_open, record.mode, record.held, record.aside)))
     other.start()
     other.join()
     assert found == [False, 0, None, True]
+    assert (record.list_open, record.mode) == (True, 7)

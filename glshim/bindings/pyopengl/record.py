@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from threading import get_ident
-from typing import Any
+from threading import local
 
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
@@ -15,20 +14,31 @@ from glshim.spec.constants import GL_RENDER, GL_RENDER_MODE
 from glshim.system.interrupts import at_once
 
 
-class Record:
+class Record(local):
     """A `glshim.bindings.base.PrimitiveStream`, and the state that the recording hooks share.
 
     In one of three states: nothing is recorded; vertices are held back from the driver (`held`);
     or what goes straight through to it is recorded as well (`shadow`).
+
+    Each thread has a primitive and a list of its own: what is set in `__init__`, which each runs
+    when it is met first. Slots are those of all threads.
     """
 
-    __slots__ = (
-        "able", "aside", "held", "home", "list_open", "loose", "mode", "modes", "own", "records",
-        "sequences", "shadow", "sink", "write",
-    )  # fmt: skip
+    __slots__ = ("aside", "modes", "sink")
+
+    aside: bool
+    """Nothing is to be held back: `stand_aside`."""
+    modes: bool
+    """Some context may be in another render mode than GL_RENDER: `render_mode_seen`."""
+    sink: PrimitiveSink | None
+
+    def __new__(cls) -> Record:
+        record = super().__new__(cls)
+        record.aside = record.modes = False
+        record.sink = None
+        return record
 
     def __init__(self) -> None:
-        self.sink: PrimitiveSink | None = None
         self.list_open = False
         self.records: list[bytes] = []
         self.write: Callable[[bytes], None] = self.records.append
@@ -36,10 +46,6 @@ class Record:
         self.held: Callable[[bytes], None] | None = None
         """`write` while vertices are held back, else None."""
         self.shadow = False
-        self.aside = False
-        """Nothing is to be held back: `stand_aside`."""
-        self.modes = False
-        """Some context may be in another render mode than GL_RENDER: `render_mode_seen`."""
         self.loose = False
         """Inside a display list, outside any primitive of it; a shadow, too."""
         self.sequences: frozenset[type] | None = None
@@ -48,18 +54,10 @@ class Record:
         self.able = False
         """Arrays do for the open primitive, should it turn out large."""
         self.mode = 0
-        self.home = 0
-        """The thread that opened the primitive."""
-        self.own: Any = None
-        """The states of several threads: `glshim.bindings.pyopengl.threads`."""
 
     def inside(self) -> bool:
         """Whether this thread has a recorded glBegin open."""
-        return (
-            (self.held is not None or self.shadow)
-            and not self.loose
-            and get_ident() == self.home
-        )
+        return (self.held is not None or self.shadow) and not self.loose
 
     def position(self) -> int:
         """Bytes recorded so far."""
@@ -140,7 +138,7 @@ class Record:
         """A list that was called left a primitive open, with these records in it."""
         self.restart()
         self.records += forward.split(records)
-        self.mode, self.home = mode, get_ident()
+        self.mode = mode
         self.shadow = True
 
     def finish(self) -> tuple[int, bytes] | None:

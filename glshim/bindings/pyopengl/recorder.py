@@ -13,10 +13,9 @@ import sys
 from collections.abc import Callable, Iterable
 from functools import partial
 from itertools import chain
-from threading import get_ident
 from typing import Any, NamedTuple
 
-from glshim.bindings.pyopengl import attributes, bare, conversions, forward, threads
+from glshim.bindings.pyopengl import attributes, bare, conversions, forward
 from glshim.bindings.pyopengl.raw import RAW, Call, Maker
 from glshim.bindings.pyopengl.record import Record
 from glshim.bindings.pyopengl.vectors import vectors
@@ -107,9 +106,6 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
         def begin(*args: Any, **named: Any) -> Any:
             nonlocal expected, converted
-            me = get_ident()
-            if me != record.home or threads.others():
-                threads.look(record)
             if record.loose:
                 record.settle()
                 record.loose = record.shadow = False
@@ -139,7 +135,6 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 record.records = records
                 record.write = write = records.append
                 record.mode = mode
-                record.home = me
                 record.sequences = None
                 straight = careful or record.aside or (record.modes and record.is_read())
                 if not straight:
