@@ -34,6 +34,18 @@ def style_asked(given: str | None) -> tuple[str, str]:
         raise StyleError(f"{STYLE}: {error}") from error
 
 
+def add_program(parser: argparse.ArgumentParser, verb: str, *, required: bool = False) -> None:
+    """The arguments that name a program: a script or a module, each with arguments of its own.
+    verb: what becomes of it, for help texts."""
+    what = parser.add_mutually_exclusive_group(required=required)
+    what.add_argument(
+        "-m", dest="module", nargs=argparse.REMAINDER,
+        help=f"module to {verb}, with its arguments, as in python -m",
+    )  # fmt: skip
+    what.add_argument("script", nargs="?", help=f"script to {verb}")
+    parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the script")
+
+
 class Command(ABC):
     """One command of the command line."""
 

@@ -10,7 +10,7 @@ from dataclasses import asdict
 
 from glshim import toolkits
 from glshim.commands import misplaced
-from glshim.commands.command import STYLE_DEFAULT, style_asked
+from glshim.commands.command import STYLE_DEFAULT, add_program, style_asked
 from glshim.errors import EnvironmentFault
 from glshim.running import environment
 from glshim.running.examine import Examined
@@ -39,13 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--json", action="store_true",
         help="print JSON; the output of the program goes to standard error",
     )  # fmt: skip
-    what = parser.add_mutually_exclusive_group()
-    what.add_argument(
-        "-m", dest="module", nargs=argparse.REMAINDER,
-        help="module to examine, with its arguments, as in python -m",
-    )  # fmt: skip
-    what.add_argument("script", nargs="?", help="script to examine")
-    parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the script")
+    add_program(parser, "examine")
 
 
 def is_asked_for(asked: argparse.Namespace) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from glshim.commands import misplaced
-from glshim.commands.command import HEADLESS, STYLE_DEFAULT, Command, style_asked
+from glshim.commands.command import HEADLESS, STYLE_DEFAULT, Command, add_program, style_asked
 from glshim.control import keys
 from glshim.running import environment, launch
 
@@ -21,13 +21,7 @@ class Run(Command):
 
     def add_arguments(self, parser: argparse.ArgumentParser) -> None:
         add_options(parser)
-        what = parser.add_mutually_exclusive_group(required=True)
-        what.add_argument(
-            "-m", dest="module", nargs=argparse.REMAINDER,
-            help="module to run, with its arguments, as in python -m",
-        )  # fmt: skip
-        what.add_argument("script", nargs="?", help="script to run")
-        parser.add_argument("arguments", nargs=argparse.REMAINDER, help="arguments of the script")
+        add_program(parser, "run", required=True)
 
     def run(self, asked: argparse.Namespace) -> int:
         program = ["-m", *asked.module] if asked.module else [asked.script, *asked.arguments]

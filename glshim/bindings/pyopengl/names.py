@@ -76,8 +76,16 @@ def _meeting(row: Row) -> Maker:
                 if space is not None and kind in space.last:
                     space.met(kind, name)
 
-        def hook(*args: Any, **named: Any) -> Any:
-            return programs.made(lambda: real(*args, **named), lambda: meet(args))
+        from OpenGL.error import GLError  # not before the program has set its flags
+
+        def hook(*args: Any, **named: Any) -> Any:  # `programs.made`, for calls that are made often
+            try:
+                result = real(*args, **named)
+            except GLError:
+                meet(args)
+                raise
+            meet(args)
+            return result
 
         return hook
 
