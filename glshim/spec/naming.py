@@ -81,6 +81,7 @@ ROWS = (
     Row(FRAMEBUFFER, Naming.GENERATES, 0, r"glGenFramebuffers(EXT)?"),
     Row(FRAMEBUFFER, Naming.CREATES, 0, r"glCreateFramebuffers"),
     Row(FRAMEBUFFER, Naming.MEETS, 1, r"glBindFramebuffer(EXT)?"),
+    Row(FRAMEBUFFER, Naming.MEETS, 0, r"glClearNamedFramebuffer(fi|(f|i|ui)v)"),
     Row(FRAMEBUFFER, Naming.MEETS, 0, r"gl(Check|Get)?NamedFramebuffer\w+EXT"),
     Row(FRAMEBUFFER, Naming.MEETS, 0, r"glFramebuffer(Draw|Read)Buffers?EXT"),
     Row(FRAMEBUFFER, Naming.MEETS, 0, r"glGetFramebufferParameterivEXT"),

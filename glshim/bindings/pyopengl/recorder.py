@@ -106,9 +106,10 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
         def begin(*args: Any, **named: Any) -> Any:
             nonlocal expected, converted
-            if record.loose:
+            own = record.__dict__
+            if own["loose"]:
                 record.settle()
-                record.loose = record.shadow = False
+                own["loose"] = own["shadow"] = False
             plain = len(args) == 1 and type(args[0]) in integers
             if plain:
                 mode = args[0] & _ENUM
@@ -118,35 +119,36 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                 if converted is None:
                     converted = conversions.numbers(function, "e")
                 mode = converted(*args, **named)[0]
-            if record.held is not None or record.shadow or mode > _LAST_MODE:
+            if own["held"] is not None or own["shadow"] or mode > _LAST_MODE:
                 if plain:
                     return real(*args, **named)
                 driver_begin(mode)
                 return forward.check(real, args)
+            sink = record.sink
             try:
-                if record.sink is not None:
-                    record.sink.begin(mode)
+                if sink is not None:
+                    sink.begin(mode)
                 if expected:
                     expected -= 1
-                    record.able = forward.able(mode)
-                elif record.able:
-                    record.able = False
+                    own["able"] = forward.able(mode)
+                elif own["able"]:
+                    own["able"] = False
                 records: list[bytes] = []
-                record.records = records
-                record.write = write = records.append
-                record.mode = mode
-                record.sequences = None
+                own["records"] = records
+                own["write"] = write = records.append
+                own["mode"] = mode
+                own["sequences"] = None
                 straight = careful or record.aside or (record.modes and record.is_read())
                 if not straight:
-                    record.held = write
+                    own["held"] = write
             except BaseException:  # a signal handler's, before the primitive
-                record.held = None
-                if record.sink is not None:
-                    record.sink.refused()
+                own["held"] = None
+                if sink is not None:
+                    sink.refused()
                 raise
             # What is raised now finds the primitive open.
             if straight:
-                record.shadow = True
+                own["shadow"] = True
                 if plain:
                     return real(*args, **named)
             driver_begin(mode)
@@ -159,24 +161,26 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
         def end(*args: Any, **named: Any) -> Any:
             nonlocal expected
-            held = record.held is not None
-            if not held and not record.shadow:
+            own = record.__dict__
+            held = own["held"] is not None
+            if not held and not own["shadow"]:
                 return real(*args, **named)
-            if record.loose:
+            sink = record.sink
+            if own["loose"]:
                 record.settle()
-                if record.sink is not None:
-                    record.sink.stray_end()
+                if sink is not None:
+                    sink.stray_end()
                 return real(*args, **named)
             if args and function is not None:
                 conversions.numbers(function, "")(*args)
-            mode, records = record.mode, record.records
+            mode, records = own["mode"], own["records"]
             stream = b"".join(records)
-            taker = record.sink if record.list_open else None
+            taker = sink if own["list_open"] else None
             so_far = 0 if taker is None else taker.listed()
             parted = None
             if held and len(stream) >= forward.SMALL:
                 expected = _LOOK_OUT
-                if record.able and not record.list_open:
+                if own["able"] and not own["list_open"]:
                     parted = forward.parted(mode, stream)
             if careful:
                 whole: Iterable[Any] = ()
@@ -191,18 +195,19 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                     try:
                         exhaust(whole, 0)  # before it the primitive is open, after it no more
                     finally:
-                        record.held, record.shadow = None, False
+                        own["held"], own["shadow"] = None, False
                     if parted:
                         at_once((*parted.rest(), partial(drawn.append, True)))
-                    return real(*args, **named) if careful else forward.check(real, args)
+                    # Not returned from in here: between the blocks that ends nothing is caught.
+                    result = real(*args, **named) if careful else forward.check(real, args)
                 except BaseException:  # a signal handler's perhaps, in the middle
                     if parted and not drawn:
                         with Held():
                             at_once(parted.rest())
                     raise
                 finally:
-                    if record.sink is not None:
-                        record.sink.end(mode, stream)
+                    if sink is not None:
+                        sink.end(mode, stream)
                         if taker is not None:
                             record.between()
             except BaseException:
@@ -212,6 +217,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
                             taker.end(mode, stream)
                         record.between()
                 raise
+            return result
 
         return end
 
