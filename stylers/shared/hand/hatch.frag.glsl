@@ -1,6 +1,7 @@
 // What:   hatching that is held by the surface: planes through the object, as far apart as suits the
 //         screen, drawn where the light leaves it dark; crossed where it is darker still.
-// Inputs: the surface's place and normal (hatch.vert.glsl), GL_LIGHT0, the app's finished picture.
+// Inputs: seen_normal.glsl; the surface's place and normal (hatch.vert.glsl), GL_LIGHT0, the app's
+//         finished picture.
 // Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it is:
 //         G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994;
 //         levels of strokes that fade in: E. Praun et al., "Real-Time Hatching", SIGGRAPH 2001.
@@ -64,11 +65,8 @@ float strokes(vec3 across, float dark, float number, vec3 n, vec3 sight) {
 }
 
 void main() {
-    vec3 side = normalize(cross(dFdx(spot), dFdy(spot)));
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
-    side *= dot(side, sight) < 0.0 ? -1.0 : 1.0;
-    vec3 n = dot(upright, upright) > 0.0 ? normalize(upright) : side;
-    n = dot(n, side) < 0.0 ? -n : n;
+    vec3 n = seen_normal(spot, upright, sight);
     vec3 to_light = normalize(lamp.xyz - lamp.w * spot);
     float light = 0.5 + 0.5 * dot(n, to_light);
     vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;

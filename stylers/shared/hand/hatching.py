@@ -12,6 +12,7 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Colour, Layer, Uniform
 
+from ..shading import SEEN_NORMAL
 from ..tones import grain
 
 ON = -1
@@ -49,7 +50,7 @@ class Hatching:
 @cache
 def _shader() -> MeshShader:
     vertex, fragment = (glsl(__file__, f"hatch.{stage}") for stage in ("vert", "frag"))
-    return MeshShader("hatch", vertex, fragment, needs=("app_colour", "rest"))
+    return MeshShader("hatch", vertex, SEEN_NORMAL + fragment, needs=("app_colour", "rest"))
 
 
 def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:

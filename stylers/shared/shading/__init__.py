@@ -34,9 +34,12 @@ UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
 """A light behind the viewer's left shoulder: it goes where the viewer goes."""
 
 
+SEEN_NORMAL = glsl(__file__, "seen_normal")
+"""GLSL of a fragment: the normal by which it is lit."""
 _BUFFER = MeshShader(
-    "surface buffer", glsl(__file__, "buffer.vert"), glsl(__file__, "buffer.frag"), needs=()
-)
+    "surface buffer", glsl(__file__, "buffer.vert"), SEEN_NORMAL + glsl(__file__, "buffer.frag"),
+    needs=(),
+)  # fmt: skip
 
 
 def screen_shader(

@@ -1,0 +1,46 @@
+"""Surfaces as programs make them, restyled (`scenery`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pygame
+import pytest
+from numpy.typing import NDArray
+from OpenGL import GL
+
+import glshim
+from tests.golden import scenery
+from tests.golden.scenery import HEIGHT, WIDTH
+
+Picture = NDArray[np.int_]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def window() -> Iterator[None]:
+    pygame.display.init()
+    pygame.display.set_mode((WIDTH, HEIGHT), pygame.OPENGL | pygame.DOUBLEBUF)
+    yield
+    pygame.display.quit()
+
+
+def shown(scene: str, style: str = "") -> Picture:
+    """(HEIGHT, WIDTH, 3) of 0..255, from below upwards."""
+    if style:
+        glshim.install(style)
+    try:
+        scenery.draw(scene)
+        pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        pygame.display.flip()
+    finally:
+        glshim.uninstall()
+    return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical", "sketch:hatching=1,tint=0"])
+def test_a_normal_in_the_plane_of_its_floor_says_nothing(style: str) -> None:
+    """It is glNormal's default, in beginners' programs: stripes of rounding noise."""
+    bad, good = (shown(f"floor_with_{normal}", style) for normal in ("gls_normal", "its_own"))
+    differs = np.abs(bad - good).max(axis=2) > 24
+    assert differs.mean() < 0.08
