@@ -21,7 +21,8 @@ from glshim.model.lines import CONTOUR, SUGGESTIVE, Line, group_of, kind_of
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
 from glshim.styling.wishes import Features
-from tests import coherence, look, surfaces
+from tests import look, surfaces
+from tests.coherence import patterns
 from tests.golden.test_legacy import LEGACY, widened
 from tests.score import meshes as scored
 from tests.score import views
@@ -308,10 +309,10 @@ def test_two_layers_of_one_viewport_do_not_disturb_each_other(backend):
 
 def test_a_turning_scene_moves_patterns_less_than_the_paper_does():
     pot = look.torus(48, 24)
-    with look.window(coherence.SIZE, coherence.SIZE):
+    with look.window(patterns.SIZE, patterns.SIZE):
         for smooth in (False, True):
-            shift = {name: coherence.mean_shift(coherence.Method(pot, name, smooth), 12, 2.0)
-                     for name in coherence.NAMES}  # fmt: skip
+            shift = {name: patterns.mean_shift(patterns.Method(pot, name, smooth), 12, 2.0)
+                     for name in patterns.NAMES}  # fmt: skip
             for name in ("object", "screen"):
                 assert shift["coherent"][1] < 0.9 * shift[name][1], (smooth, shift)
 

@@ -15,8 +15,9 @@ from glshim.geometry.recovery.mesh import mesh
 from glshim.model.camera import Camera
 from glshim.outputs.gl.backend import Backend
 from glshim.styling.protocol import Layer
-from tests import flicker, look
+from tests import look
 from tests.benchmarks.fins import Unsieved
+from tests.coherence import turning
 from tests.score import meshes, views
 from tests.score.__main__ import LIMIT
 
@@ -42,15 +43,15 @@ def test_fins_lie_on_silhouettes_and_nowhere_else(backend, name):
 
 @pytest.mark.parametrize("name", ["torus", "lathe"])
 def test_fins_flicker_no_more_than_chains_of_edges(backend, name):
-    batch = replace(flicker.MESHES[name](), key=f"flicker of {name}")
-    turn = list(flicker.cameras(10))
+    batch = replace(turning.MESHES[name](), key=f"flicker of {name}")
+    turn = list(turning.cameras(10))
     found = {
-        style: flicker.measured(flicker.inks(backend, flicker.STYLES[style], batch, turn))
-        for style in (flicker.BASIS, "fins")
+        style: turning.measured(turning.inks(backend, turning.STYLES[style], batch, turn))
+        for style in (turning.BASIS, "fins")
     }
     assert found["fins"].ink > 1000
-    assert found["fins"].ink == pytest.approx(found[flicker.BASIS].ink, rel=0.1)
-    assert 0.0 < found["fins"].flicker <= found[flicker.BASIS].flicker, found
+    assert found["fins"].ink == pytest.approx(found[turning.BASIS].ink, rel=0.1)
+    assert 0.0 < found["fins"].flicker <= found[turning.BASIS].flicker, found
     assert found["fins"].blinks < 0.1
 
 
@@ -59,8 +60,8 @@ def test_flicker_tells_a_steady_line_from_one_that_pops():
     still[:, 5] = 1.0
     pops = still.copy()
     pops[4, 15] = 1.0
-    assert flicker.measured(iter(still)) == flicker.Flicker(0.0, 0.0, 20.0)
-    found = flicker.measured(iter(pops))
+    assert turning.measured(iter(still)) == turning.Flicker(0.0, 0.0, 20.0)
+    found = turning.measured(iter(pops))
     assert found.flicker == pytest.approx(20 * (1 + 2 + 1) / (6 * 20 + 20))
     assert found.blinks == pytest.approx(20 / 6)
 

@@ -22,7 +22,8 @@ from glshim.styling.media.hand import hand
 from glshim.styling.protocol import Layer, Styler
 from glshim.styling.textures.brushes import BRUSHES, brush
 from glshim.styling.wishes import Pattern
-from tests import coherence, look
+from tests import look
+from tests.coherence import patterns
 from tests.golden.test_legacy import widened
 from tests.sweep import some
 
@@ -125,10 +126,10 @@ def test_the_motion_of_a_hand_lies_on_a_turning_object_as_patterns_do(_window, t
     surface, for strokes that begin anywhere and end at corners, and for plain ones."""
 
     def moved(corner, name="coherent"):
-        method = coherence.Method(teapot, name, smooth=True)
-        pattern = Pattern((coherence.LENGTH,) * 8, 0.0, corner)
+        method = patterns.Method(teapot, name, smooth=True)
+        pattern = Pattern((patterns.LENGTH,) * 8, 0.0, corner)
         method.wanted = replace(method.wanted, pattern=pattern)
-        return coherence.mean_shift(method, frames=24, step=step)
+        return patterns.mean_shift(method, frames=24, step=step)
 
     ours, plain, afresh = moved(0.7), moved(None), moved(0.7, "arc length")
     assert ours[1] < 1.15 * plain[1] + 0.05, (ours, plain)

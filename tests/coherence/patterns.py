@@ -1,16 +1,16 @@
 """How far stroke patterns move from frame to frame on a turning object.
 
-``python -m tests.coherence`` turns the teapot and prints, for the paper's two parameterisations
-(McGuire & Hughes 2004, section 4), for arc length along chains, and for arc length that follows
-the frame before: the mean, over all points of visible contours, of the pixels by which the pattern
-has moved against the nearest point of a contour in the frame before. Two numbers: against where
-that was on the screen, and against where the turning surface has carried it. A pattern that has
-nothing to do with the last one moves a quarter of its length.
+``python -m tests.coherence patterns`` turns the teapot and prints, for the paper's two
+parameterisations (McGuire & Hughes 2004, section 4), for arc length along chains, and for arc
+length that follows the frame before: the mean, over all points of visible contours, of the pixels
+by which the pattern has moved against the nearest point of a contour in the frame before. Two
+numbers: against where that was on the screen, and against where the turning surface has carried
+it. A pattern that has nothing to do with the last one moves a quarter of its length.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -140,10 +140,11 @@ def mean_shift(method: Method, frames: int = 60, step: float = 2.0) -> tuple[flo
 NAMES = ("object", "screen", "arc length", "coherent")
 
 
-def main(make: Callable[[], object] = look.teapot) -> None:
-    batch = make()
+def main() -> int:
+    batch = look.teapot()
     with look.window(SIZE, SIZE):
         report(batch)
+    return 0
 
 
 def report(batch: PolygonBatch) -> None:
@@ -154,7 +155,3 @@ def report(batch: PolygonBatch) -> None:
             found = [mean_shift(Method(batch, name, smooth), step=step) for step in (0.5, 1, 2, 4)]
             label = f"{name}, smooth" if smooth else name
             print(f"{label:24}" + "".join(f"{a:7.2f}{b:7.2f}" for a, b in found))
-
-
-if __name__ == "__main__":
-    main()

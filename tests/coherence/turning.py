@@ -1,4 +1,4 @@
-"""How much lines flicker while an object turns slowly: ``python -m tests.flicker``.
+"""How much lines flicker while an object turns slowly: ``python -m tests.coherence turning``.
 
 Each style draws the same frames, a quarter of a degree apart, lines alone on white, silhouettes
 and open edges of the same width. With I(t) the share of a pixel that ink covers in frame t:
@@ -11,7 +11,6 @@ and open edges of the same width. With I(t) the share of a pixel that ink covers
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -169,7 +168,7 @@ def kept(
 
 
 def main(given: list[str]) -> int:
-    parser = argparse.ArgumentParser(prog="python -m tests.flicker", description=__doc__)
+    parser = argparse.ArgumentParser(prog="python -m tests.coherence turning", description=__doc__)
     parser.add_argument("--frames", type=int, default=FRAMES, metavar="N")
     parser.add_argument("--step", type=float, default=STEP, metavar="DEGREES")
     parser.add_argument("--only", action="append", choices=MESHES)
@@ -184,7 +183,3 @@ def main(given: list[str]) -> int:
     for mesh, name in worse:
         print(f"{mesh}: {name} flickers more than {BASIS}")
     return int(args.check and bool(worse))
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
