@@ -19,6 +19,7 @@ from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.driver.ask import reals
 from glshim.errors import RenderError
 from glshim.model.batch import Wanted
+from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
 from glshim.outputs.output import WINDOW, Destination, Given, Output
@@ -121,11 +122,17 @@ class Pipeline:
 
     # -- layer, styler, outputs: what the follower hands on --------------------------------------
 
-    def cover(self) -> None:
+    def cover(self, materials: Materials = Materials.STAY) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
         if self._covers:
             for output in self._outputs:
-                output.cover()
+                output.cover(materials)
+
+    def material(self, change: MaterialChange) -> None:
+        """Inside a primitive that is covered."""
+        if self._covers:
+            for output in self._outputs:
+                output.material(change)
 
     def uncover(self) -> None:
         """After it."""

@@ -68,6 +68,9 @@ class Watcher(PrimitiveSink, ShapeSink, Protocol):
     ) -> None:
         """Instead of :meth:`after`: a GL error was found, which may be an older one."""
 
+    def material_changes(self) -> None:
+        """Before a call of MATERIAL inside a primitive."""
+
     def inside(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
     ) -> None:
@@ -79,6 +82,12 @@ class PrimitiveStream(Protocol):
     """The record of the primitive that is open, and of what an open list has outside primitives.
 
     All that a watcher may do to what it hears."""
+
+    mode: int
+    """Of the primitive that is open."""
+
+    def unsaid(self) -> bool:
+        """Whether nothing of the open primitive has reached the driver but its beginning."""
 
     def inside(self) -> bool:
         """Whether this thread has a recorded glBegin open."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
@@ -41,6 +42,25 @@ class Lighting:
     lights: tuple[Light, ...] = ()
     ambient: Shade = (0.2, 0.2, 0.2)
     """GL_LIGHT_MODEL_AMBIENT."""
+
+
+class Materials(Enum):
+    """What materials do during a draw."""
+
+    STAY = "they are as before it"
+    VARY = "they change, or begin to follow the current colour"
+    SAID = "they change, and each change is told"
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialChange:
+    """A glMaterial call about colours."""
+
+    face: int
+    """GL_FRONT, GL_BACK or GL_FRONT_AND_BACK."""
+    parameter: int
+    """GL_AMBIENT, GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE or another one."""
+    colour: tuple[float, float, float, float]
 
 
 def incoming(

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from glshim.model.lights import MaterialChange, Materials
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import BackFaces, Layer, Styler
@@ -58,8 +59,12 @@ class Output:
     def set_styler(self, styler: Styler | None) -> None:
         """What comes from now on is of this styler, None: of nobody."""
 
-    def cover(self) -> None:
-        """The app is about to draw polygons that carry lines, outside primitives."""
+    def cover(self, materials: Materials = Materials.STAY) -> None:
+        """The app is about to draw polygons that carry lines, outside primitives. materials: what
+        they do during the draw."""
+
+    def material(self, change: MaterialChange) -> None:
+        """A material has changed inside the primitive that is covered."""
 
     def uncover(self) -> None:
         """It has drawn them."""

@@ -21,6 +21,7 @@ class Role(Enum):
     ATTRIBUTE = "a vertex or an attribute of one, recorded (signatures: spec/attributes.py)"
     IN_PRIMITIVE = "legal inside a primitive, not recorded: what was recorded so far goes first"
     NORMAL = "the same, and sets the normal (signatures: spec/attributes.py)"
+    MATERIAL = "the same, and sets a material"
     ARRAY_ELEMENT = "the same, and takes one vertex from the arrays"
     EVALUATION = "the same, and evaluates vertices"
     ARRAY_DRAW = "draws from client arrays or buffers (signatures: spec/draws.py)"
@@ -65,8 +66,12 @@ class Role(Enum):
     """Members are one each: Enum's own is written in Python and costs each hooked call."""
 
 
-INSIDE = frozenset((Role.IN_PRIMITIVE, Role.NORMAL, Role.ARRAY_ELEMENT, Role.EVALUATION))
+INSIDE = frozenset(
+    (Role.IN_PRIMITIVE, Role.NORMAL, Role.MATERIAL, Role.ARRAY_ELEMENT, Role.EVALUATION)
+)
 """Legal inside a primitive and not recorded."""
+MATERIAL_TYPES = {"glMaterialfv": "f", "glMaterialiv": "i"}
+"""Calls of MATERIAL that set colours, and the type of their numbers."""
 LIST_CALLS = frozenset((Role.LIST_CALL, Role.LISTS_CALL))
 LIST_BRACKETS = frozenset((Role.LIST_OPEN, Role.LIST_CLOSE))
 POLYGON_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, *LIST_CALLS))
@@ -114,7 +119,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.IN_PRIMITIVE, r"glSecondaryColor(3|P3)\w+|glFogCoord[dfhx]v?(EXT|NV|OES)?"),
     (Role.IN_PRIMITIVE, r"glIndex(d|f|i|s|ub|x)v?(OES)?|glVertexAttribs?(I|L|P|)\d\w*"),
     (Role.IN_PRIMITIVE, r"glVertexStream\d\w+ATI|glVertexWeight[fh]v?(EXT|NV)|glWeight\w+ARB"),
-    (Role.IN_PRIMITIVE, r"glMaterial(f|i|x)v?(OES)?"),
+    (Role.MATERIAL, r"glMaterial(f|i|x)v?(OES)?"),
     (Role.IN_PRIMITIVE, r"glTangent3\w+EXT|glBinormal3\w+EXT"),
     (Role.NORMAL, r"glNormal3[bis]v?|glNormal3(h|x)v?(OES|NV)|glNormalP3uiv?"),
     (Role.NORMAL, r"gl\w*Normal3f\w*SUN"),

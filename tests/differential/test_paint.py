@@ -168,10 +168,93 @@ def two_passes(lit: bool) -> None:
     strip()
 
 
+def varied(lit: bool, parameter: int = GL.GL_DIFFUSE, face: int = GL.GL_FRONT_AND_BACK) -> None:
+    """The paint of each quad, and of one corner, is set inside the primitive."""
+    GL.glNormal3f(0.3, 0.2, 0.9)
+    GL.glBegin(GL.GL_QUADS)
+    for k, shade in enumerate((RED, GREEN, (0.2, 0.3, 0.9, 1.0), (0.9, 0.9, 0.2, 1.0))):
+        if lit:
+            GL.glMaterialfv(face, parameter, shade)
+            GL.glMaterialfv(GL.GL_FRONT, GL.GL_SPECULAR, (0.5, 0.5, 0.5, 1))
+        else:
+            GL.glColor4f(*shade)
+        for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            GL.glTexCoord2f(u, v)
+            GL.glVertex3f(0.6 * (k + u) - 1.2, v - 0.5, 0.1 * k)
+            if k == 2 and u and not v:
+                paint_inside(lit, RED, parameter)
+    GL.glEnd()
+
+
+def paint_inside(lit: bool, shade: tuple[float, ...], parameter: int) -> None:
+    if lit:
+        GL.glMaterialfv(GL.GL_FRONT_AND_BACK, parameter, shade)
+    else:
+        GL.glColor4f(*shade)
+
+
+def diffuse_inside(lit: bool) -> None:
+    paint(lit, GREEN)
+    varied(lit)
+    if lit:
+        # What is ambient now is not what the paint is.
+        GL.glMaterialfv(GL.GL_FRONT_AND_BACK, GL.GL_AMBIENT, (1, 0, 0, 1))
+    GL.glTranslatef(0, 0, 0.5)
+    varied(lit)
+
+
+def ambient_and_diffuse_inside(lit: bool) -> None:
+    _texture()
+    _fog()
+    varied(lit, GL.GL_AMBIENT_AND_DIFFUSE)
+
+
+def ambient_inside_says_nothing(lit: bool) -> None:
+    paint(lit, RED)
+    GL.glBegin(GL.GL_TRIANGLES)
+    for k, (x, y) in enumerate(((-0.8, -0.8), (0.8, -0.8), (0, 0.8))):
+        if lit:
+            GL.glMaterialfv(GL.GL_FRONT_AND_BACK, GL.GL_AMBIENT, (k, 0, 1, 1))
+        GL.glVertex3f(x, y, 0)
+    GL.glEnd()
+
+
+def integers_inside(lit: bool) -> None:
+    GL.glBegin(GL.GL_TRIANGLES)
+    if lit:
+        GL.glMaterialiv(GL.GL_FRONT, GL.GL_DIFFUSE, (2**31 - 1, 0, 2**30, 2**31 - 1))
+    else:
+        GL.glColor4f(1.0, 0.0, 0.5, 1.0)
+    for x, y in ((-0.8, -0.8), (0.8, -0.8), (0, 0.8)):
+        GL.glVertex3f(x, y, 0)
+    GL.glEnd()
+
+
+def a_list_with_materials_inside(lit: bool) -> None:
+    GL.glNewList(1, GL.GL_COMPILE)
+    varied(lit, GL.GL_AMBIENT_AND_DIFFUSE)
+    GL.glEndList()
+    GL.glNewList(2, GL.GL_COMPILE)
+    GL.glCallList(1)
+    GL.glEndList()
+    GL.glCallLists([2])
+
+
+def a_list_that_turns_colour_material_on(lit: bool) -> None:
+    GL.glNewList(1, GL.GL_COMPILE)
+    if lit:
+        GL.glEnable(GL.GL_COLOR_MATERIAL)
+    mesh(40)
+    GL.glEndList()
+    GL.glCallList(1)
+
+
 SCENES: tuple[Callable[[bool], None], ...] = (
     material, material_and_a_colour_that_is_not_meant, colour_material,
     colour_material_of_the_ambient_alone, texture, sphere_map, planes, fog, clipped,
-    a_list_with_materials, a_quadric, arrays, flat, two_passes,
+    a_list_with_materials, a_quadric, arrays, flat, two_passes, diffuse_inside,
+    ambient_and_diffuse_inside, ambient_inside_says_nothing, integers_inside,
+    a_list_with_materials_inside, a_list_that_turns_colour_material_on,
 )  # fmt: skip
 
 

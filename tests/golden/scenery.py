@@ -60,9 +60,82 @@ def floor_with_its_own():
     floor((0.0, 1.0, 0.0))
 
 
+PAPER, STONE = (0.9, 0.85, 0.7, 1.0), (0.25, 0.35, 0.3, 1.0)
+
+
+def chequers(shade):
+    """A chequered floor in one primitive; shade: called with a colour inside it."""
+    glNormal3f(0.0, 1.0, 0.0)
+    glBegin(GL_QUADS)
+    for i in range(8):
+        for k in range(8):
+            shade(PAPER if (i + k) % 2 else STONE)
+            plane(i - 4.0, k - 4.0, 1.0, 1.0)
+    glEnd()
+
+
+def material(shade):
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, shade)
+
+
+def room():
+    look((0.0, 4.0, 6.0))
+    light((2.0, 5.0, 3.0, 0.0))
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, (0.2, 0.2, 0.8, 1.0))
+
+
+def compiled(content):
+    glNewList(7, GL_COMPILE)
+    content()
+    glEndList()
+    glCallList(7)
+
+
+def chequers_of_material():
+    room()
+    chequers(material)
+
+
+def chequers_of_colour():
+    room()
+    glEnable(GL_COLOR_MATERIAL)
+    chequers(lambda shade: glColor4f(*shade))
+
+
+def chequers_of_material_in_a_list():
+    room()
+    compiled(chequers_of(material))
+
+
+def chequers_of_colour_in_a_list():
+    room()
+    glEnable(GL_COLOR_MATERIAL)
+    compiled(chequers_of(lambda shade: glColor4f(*shade)))
+
+
+def chequers_in_a_list_that_says_how():
+    """It turns glColorMaterial on by itself."""
+
+    def content():
+        glEnable(GL_COLOR_MATERIAL)
+        chequers(lambda shade: glColor4f(*shade))
+        glDisable(GL_COLOR_MATERIAL)
+
+    room()
+    compiled(content)
+
+
+def chequers_of(shade):
+    return lambda: chequers(shade)
+
+
 SCENES = {
     function.__name__: function
-    for function in (floor_with_gls_normal, floor_with_its_own)
+    for function in (
+        floor_with_gls_normal, floor_with_its_own, chequers_of_material, chequers_of_colour,
+        chequers_of_material_in_a_list, chequers_of_colour_in_a_list,
+        chequers_in_a_list_that_says_how,
+    )
 }  # fmt: skip
 
 

@@ -44,3 +44,13 @@ def test_a_normal_in_the_plane_of_its_floor_says_nothing(style: str) -> None:
     bad, good = (shown(f"floor_with_{normal}", style) for normal in ("gls_normal", "its_own"))
     differs = np.abs(bad - good).max(axis=2) > 24
     assert differs.mean() < 0.08
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical"])
+@pytest.mark.parametrize("way", ["material", "material_in_a_list", "a_list_that_says_how"])
+def test_a_chequered_floor_keeps_its_cheques(way: str, style: str) -> None:
+    """However its colours come inside one primitive."""
+    scene = f"chequers_{'in' if way.startswith('a_') else 'of'}_{way}"
+    found, plain = shown(scene, style), shown("chequers_of_colour", style)
+    assert len(np.unique(plain[: HEIGHT // 2].reshape(-1, 3), axis=0)) > 2
+    assert np.abs(found - plain).max() <= 1

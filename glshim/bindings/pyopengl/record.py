@@ -59,6 +59,10 @@ class Record(local):
         """Whether this thread has a recorded glBegin open."""
         return (self.held is not None or self.shadow) and not self.loose
 
+    def unsaid(self) -> bool:
+        """Whether nothing of the open primitive has reached the driver but its beginning."""
+        return self.held is not None
+
     def position(self) -> int:
         """Bytes recorded so far."""
         return RECORD_BYTES * len(self.records)

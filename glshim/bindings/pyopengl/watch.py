@@ -127,6 +127,8 @@ class Watch:
         """A call inside a primitive: what was recorded goes first, the rest straight through."""
         from OpenGL.error import GLError
 
+        if role is Role.MATERIAL and self._watcher is not None:
+            self._watcher.material_changes()
         _RECORD.spill()
         try:
             result = real(*args, **named)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from glshim.driver.functions import current_context
 from glshim.driver.objects import context_ended, tidy
+from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.programs import Lost
@@ -29,13 +30,16 @@ class Picture(Output):
     def set_styler(self, styler: Styler | None) -> None:
         self._cover.set_surface(styler.surface if styler is not None else "app")
 
-    def cover(self) -> None:
+    def cover(self, materials: Materials = Materials.STAY) -> None:
         try:
-            self._cover.cover()
+            self._cover.cover(materials)
         except Lost:
             self._cover.uncover()
             self._lost()
-            self._cover.cover()
+            self._cover.cover(materials)
+
+    def material(self, change: MaterialChange) -> None:
+        self._cover.material(change)
 
     def uncover(self) -> None:
         self._cover.uncover()

@@ -9,10 +9,11 @@ from typing import Any
 from glshim.bindings.base import PrimitiveStream
 from glshim.driver.ask import integer
 from glshim.model.batch import Wanted
+from glshim.model.lights import MaterialChange
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.lists import Closing, ListBook, LooseVertices, Opening, Step, list_names
 from glshim.sources.source import Call
-from glshim.spec.constants import GL_COMPILE, GL_LIST_BASE
+from glshim.spec.constants import GL_COMPILE, GL_DIFFUSE, GL_LIST_BASE
 from glshim.spec.roles import Role
 
 
@@ -44,6 +45,15 @@ class ListCompiler:
         self.is_open = self.only_compiles = False
         self.needs_base = self._partial
         return self.book.end()
+
+    def materials_vary(self, role: Role, args: Sequence[Any]) -> bool:
+        """Whether a call of LIST_CALLS changes materials while it draws."""
+        return self.book.any_varies and any(map(self.book.materials_vary, self.names(role, args)))
+
+    def material_inside(self, change: MaterialChange) -> None:
+        """An open list changes a material inside a primitive."""
+        if self.book.open is not None:
+            self.book.open.materials_vary |= change.parameter != GL_DIFFUSE
 
     def held(self) -> int:
         """How many things an open list holds so far."""

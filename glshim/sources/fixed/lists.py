@@ -30,6 +30,7 @@ from glshim.spec.constants import (
     GL_3_BYTES,
     GL_4_BYTES,
     GL_BYTE,
+    GL_COLOR_MATERIAL,
     GL_CURRENT_BIT,
     GL_DEPTH_TEST,
     GL_FILL,
@@ -113,6 +114,8 @@ class ListProgram:
     """What one list holds."""
 
     items: list[Step] = field(default_factory=list)
+    materials_vary: bool = False
+    """It changes materials inside primitives, or has them follow the current colour."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,6 +140,10 @@ class ListBook:
         """The program being compiled."""
         self._name = 0
         """Of the list that it will be."""
+        self.any_varies = False
+        """Some list changes materials while it draws."""
+        self._varies: dict[int, bool] = {}
+        """By name, where that is known: `materials_vary`."""
 
     def begin(self, name: int) -> None:
         """glNewList."""
@@ -146,6 +153,8 @@ class ListBook:
         """glEndList: the list takes effect. Its name."""
         if self.open is None:
             return None
+        self.open.materials_vary |= any(map(_follows_colours, self.open.items))
+        self.any_varies |= self.open.materials_vary
         self._programs[self._name] = self.open
         self._changed({self._name})
         self.open = None
@@ -156,6 +165,16 @@ class ListBook:
         stale = [at for at, (_, used) in self._resolved.items() if not used.isdisjoint(names)]
         for at in stale:
             del self._resolved[at]
+        self._varies.clear()
+
+    def materials_vary(self, name: int) -> bool:
+        """Whether calling the list changes materials while it draws."""
+        found = self._varies.get(name)
+        if found is None:
+            known = (self._programs.get(each) for each in self._reach(name))
+            found = any(program.materials_vary for program in known if program is not None)
+            self._varies[name] = found
+        return found
 
     def _reach(self, name: int) -> set[int]:
         """The list and all that it calls, whether they exist or not."""
@@ -349,6 +368,15 @@ class _Walk:
                 return  # GL makes an error of it, or we miss
             self._matrix = matrix if call.loads else self._matrix @ matrix
             self._loaded = self._loaded or call.loads
+
+
+def _follows_colours(item: Step) -> bool:
+    """Whether that turns GL_COLOR_MATERIAL on."""
+    return (
+        isinstance(item, Change)
+        and role_of(item.name) is Role.ENABLE
+        and arguments.name(item.args, 0) == GL_COLOR_MATERIAL
+    )
 
 
 _MATRIX_ROLES = frozenset((Role.MATRIX, Role.MATRIX_PUSH, Role.MATRIX_POP))

@@ -48,6 +48,8 @@ DTYPES: Mapping[int, type[np.generic]] = {
 _PACKED = (GL_INT_2_10_10_10_REV, GL_UNSIGNED_INT_2_10_10_10_REV)
 """A normal in 32 bits, 10 a component."""
 
+_OTHERS = (Role.IN_PRIMITIVE, Role.MATERIAL)
+"""Legal inside a primitive, and never about the normal."""
 _ROW = BY_NAME["glNormal3f"]
 UNKNOWN = _ROW.pack.pack(0.0, 0.0, 0.0, _ROW.tag)
 """The record of a normal that is not known."""
@@ -83,7 +85,7 @@ def said(name: str, args: tuple[Any, ...]) -> bytes:
     call = NORMALS.get(name)
     if call is None:
         role = role_of(name)
-        return UNKNOWN if role in INSIDE and role is not Role.IN_PRIMITIVE else b""
+        return UNKNOWN if role in INSIDE and role not in _OTHERS else b""
     try:
         if not call.packed:
             return record(mapped(_values(call, args, 3)))

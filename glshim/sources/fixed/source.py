@@ -21,6 +21,7 @@ from glshim.sources.fixed.current import colour, normal_of
 from glshim.sources.fixed.evaluators import evaluator_key
 from glshim.sources.fixed.fetch import VertexFetch
 from glshim.sources.fixed.lists import Opening
+from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.primitive import OpenPrimitive
 from glshim.sources.fixed.rectangles import rectangle
 from glshim.sources.fixed.shapes import Shapes
@@ -112,6 +113,10 @@ class FixedFunction:
         elif role is Role.NORMAL:
             if self._wanted.normals or self.lists.is_open:
                 self._stream.extend(normals.said(name, args))
+        elif role is Role.MATERIAL and self.lists.is_open:
+            change = material_change(name, args)
+            if change is not None:
+                self.lists.material_inside(change)
         elif role in LIST_CALLS:
             return self.lists.called_inside(self.lists.names(role, args, inside=True))
         return None

@@ -9,12 +9,16 @@ from typing import Any
 from glshim.bindings.base import PrimitiveStream
 from glshim.driver.arguments import name as name_among
 from glshim.driver.arguments import number
+from glshim.driver.ask import is_enabled
+from glshim.driver.functions import gl
 from glshim.driver.queries import UNCOUNTED, counting
 from glshim.model.batch import POSITIONS, Wanted
+from glshim.model.lights import Materials
 from glshim.notices import say_once
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.lists import Change, Closing, LooseVertices
+from glshim.sources.fixed.materials import material_change
 from glshim.sources.following.census import Census
 from glshim.sources.following.faults import Faults, StylingFault, contained
 from glshim.sources.following.ground import clear
@@ -22,6 +26,7 @@ from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
+from glshim.spec.constants import GL_COLOR_MATERIAL, GL_LIGHTING
 from glshim.spec.pixels import PICK_AREA
 from glshim.spec.roles import (
     BUFFER_WRITES,
@@ -133,6 +138,24 @@ class Follower:
         return 0 if scene is None else scene.fixed.lists.held()
 
     @contained
+    def material_changes(self) -> None:
+        """A primitive changes its materials from vertex to vertex: it is begun anew, with nothing
+        of it drawn, so that its surface can be one that follows them."""
+        scene = self._primitive.scene
+        if scene is None or scene.drawing is None or scene.fixed.lists.is_open:
+            return
+        if not self._stream.unsaid():
+            return
+        with Held():
+            gl.glEnd()
+            try:
+                if is_enabled(GL_LIGHTING) and not is_enabled(GL_COLOR_MATERIAL):
+                    self._sink.uncover()
+                    self._sink.cover(Materials.SAID)
+            finally:
+                gl.glBegin(self._stream.mode)
+
+    @contained
     def inside(
         self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
     ) -> None:
@@ -140,6 +163,10 @@ class Follower:
         scene = self._scenes.current()
         if scene is None or scene.refused:
             return
+        if role is Role.MATERIAL and scene.drawing is not None:
+            change = material_change(name, args)
+            if change is not None:
+                self._sink.material(change)
         finished = scene.fixed.inside(role, name, args, call)
         if finished is not None:
             self._ended(*finished)
@@ -155,7 +182,10 @@ class Follower:
         if scene is None:
             return
         if role in POLYGON_DRAWS:
-            self._open(True, scene, args if role is Role.ARRAY_DRAW else None)
+            lists = scene.fixed.lists
+            varies = role in LIST_CALLS and lists.materials_vary(role, args)
+            materials = Materials.VARY if varies else Materials.STAY
+            self._open(True, scene, args if role is Role.ARRAY_DRAW else None, materials)
         elif role in OTHER_DRAWS:
             self._open(False, scene)
         elif role is Role.CLEAR or role is Role.CLEAR_BUFFER:
@@ -276,9 +306,12 @@ class Follower:
 
     # -- draws and layers ------------------------------------------------------------------------
 
-    def _open(self, polygons: bool, scene: Scene, arrays: tuple[Any, ...] | None = None) -> None:
+    def _open(
+        self, polygons: bool, scene: Scene, arrays: tuple[Any, ...] | None = None,
+        materials: Materials = Materials.STAY,
+    ) -> None:
         """A draw begins: the layer may end, and its polygons may carry lines. arrays: arguments of
-        an array draw."""
+        an array draw. materials: what they do during the draw."""
         scene.drawing = None
         refused = scene.refused or scene.unpainted
         if refused:
@@ -304,7 +337,7 @@ class Follower:
             if not compiling:
                 if state.camera.lit and layer.lighting is None:
                     layer.lighting = lighting()
-                self._sink.cover()
+                self._sink.cover(materials)
             return
         if arrays is None or number(arrays, 0) in POLYGON_MODES:
             self.census.passes(obstacle or layer.shortfall(state))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from glshim.model.lights import MaterialChange, Materials
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.scene import Scene
 
@@ -11,8 +12,12 @@ from glshim.sources.following.scene import Scene
 class LayerSink(Protocol):
     """Where layers go, and what must be known on the way."""
 
-    def cover(self) -> None:
-        """Polygons that carry lines are about to be drawn by the app."""
+    def cover(self, materials: Materials = Materials.STAY) -> None:
+        """Polygons that carry lines are about to be drawn by the app. materials: what
+        they do during the draw."""
+
+    def material(self, change: MaterialChange) -> None:
+        """A material has changed inside the primitive that is covered."""
 
     def uncover(self) -> None:
         """They have been drawn."""

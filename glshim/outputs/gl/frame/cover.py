@@ -14,8 +14,10 @@ from glshim.driver.ask import integers, is_enabled
 from glshim.driver.functions import current_context, gl
 from glshim.driver.queries import counting
 from glshim.driver.unnoticed import Unnoticed
+from glshim.model.lights import MaterialChange, Materials
 from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.frame.flood import Flood
 from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
 from glshim.styling.protocol import Colour
@@ -28,6 +30,8 @@ class _Draw(threading.local):
     enabled: Sequence[int] = ()
     """What flat colours turned off."""
     mask: tuple[int, ...] = (1, 1, 1, 1)
+    flood: Flood | None = None
+    """What a paint whose materials change within the draw is seen by."""
 
 
 class Cover:
@@ -47,14 +51,20 @@ class Cover:
         self.uncover()
         self._surface = surface
 
-    def cover(self) -> None:
-        """Before the app's draw, outside primitives; no program of the app's is in use."""
+    def cover(self, materials: Materials = Materials.STAY) -> None:
+        """Before the app's draw, outside primitives; no program of the app's is in use.
+        materials: what they do during it; a program cannot follow their changes."""
         if self._surface == "app" or self._draw.covered:
             return
         if is_enabled(GL_ALPHA_TEST) and counting():  # what fails the test in its own colours
             return
         # Each step can be undone before it is made, and twice: a signal handler may raise between.
         if self._surface in ("paint", "colours"):
+            if materials is not Materials.STAY:
+                self._draw.flood = Flood(mirrors=materials is Materials.SAID)
+                self._draw.covered = True
+                self._draw.flood.begin()
+                return
             paint = self._paint()
             self._draw.covered = True
             self._draw.covered = paint.begin()
@@ -78,7 +88,10 @@ class Cover:
         """After it."""
         if not self._draw.covered:
             return
-        if self._surface in ("paint", "colours"):
+        if self._draw.flood is not None:
+            self._draw.flood.end()
+            self._draw.flood = None
+        elif self._surface in ("paint", "colours"):
             self._paint().end()
         elif isinstance(self._surface, str):
             gl.glColorMaski(0, *(int(bool(m)) for m in self._draw.mask))
@@ -90,6 +103,11 @@ class Cover:
                 else:
                     gl.glEnable(switch)
         self._draw.covered = False
+
+    def material(self, change: MaterialChange) -> None:
+        """After a glMaterial inside the primitive that is covered."""
+        if self._draw.covered and self._draw.flood is not None:
+            self._draw.flood.say(change)
 
     def release(self) -> None:
         """Delete what was made in the current context, and forget what was in others, which may go
