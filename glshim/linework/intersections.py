@@ -14,12 +14,12 @@ about the line lie.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from glshim.geometry.edges import edges
+from glshim.geometry.recovery.welding import distinct
 from glshim.linework.polygon_lines import ASKEW
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD, Line
@@ -36,9 +36,6 @@ _SLIVER = 1e-6
 _ROUNDS = 12
 """Triangles by which curves are followed from what was seen: hides the gaps between pixels,
 and does not run along all that is hidden."""
-
-_Number = TypeVar("_Number", bound="np.integer[Any]")
-
 
 class Triangles(Protocol):
     """(T, 3, 3) float64 corners in eye space, of which only some are asked: an array, or made
@@ -149,14 +146,6 @@ def _codes(pairs: Rows, total: int) -> Rows:
     of a triangle with itself."""
     low, high = np.minimum(pairs[:, 0], pairs[:, 1]), np.maximum(pairs[:, 0], pairs[:, 1])
     return distinct((low * np.intp(total) + high)[(low >= 0) & (low != high)])
-
-
-def distinct(values: NDArray[_Number]) -> NDArray[_Number]:
-    """(K,) each value once, sorted. np.unique hashes, which takes six times as long."""
-    ordered = np.sort(values)
-    fresh = np.ones(len(ordered), np.bool_)
-    np.not_equal(ordered[1:], ordered[:-1], out=fresh[1:])
-    return ordered[fresh]
 
 
 def segments(triangles: Triangles, beside: Rows, pairs: Rows) -> tuple[Doubles, Rows]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from glshim.geometry.edges.edges import Edges, neighbours
+from glshim.geometry.edges.edges import Edges, joined
 from glshim.geometry.edges.gather import Placement
 from glshim.linework.hand import own_numbers
 from glshim.linework.joins import link
@@ -283,7 +283,8 @@ def seams_of(lone: list[Edges]) -> Edges:
     planes = np.concatenate([part.planes for part in lone])
     creases = np.concatenate([part.creases for part in lone])
     each = np.arange(len(sides), dtype=np.int32)
-    return Edges(sides, each, planes, creases, each.astype(np.intp), *neighbours(sides, None))
+    sides, polygon, order, first, forward = joined(sides, each, None)
+    return Edges(sides, polygon, planes, creases, each.astype(np.intp), order, first, forward)
 
 
 def are_similarities(modelviews: Doubles) -> Flags:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -284,8 +285,8 @@ def test_soup_gives_back_the_indexed_mesh(data: st.DataObject) -> None:
     count = data.draw(st.integers(3, 9))
     triple = st.permutations(range(count)).map(lambda p: tuple(p[:3]))
     triangles = data.draw(st.lists(triple, min_size=1, max_size=16, unique_by=frozenset))
-    # On the moment curve no three points are on a line.
-    points = np.array([(i, i * i, i**3) for i in range(count)], np.float32)
+    # No three points are near a line: nothing is a junction of sides.
+    points = np.array([(np.cos(2.4 * i), np.sin(2.4 * i), i % 3) for i in range(count)], np.float32)
     m = mesh(exploded(batch(points, triangles)))
     consistent(m)
     vertex = {tuple(p): i for i, p in enumerate(points)}
@@ -340,3 +341,63 @@ def test_soup_gives_back_the_indexed_mesh(data: st.DataObject) -> None:
             corners, corners[1:] + corners[:1], corners[2:] + corners[:2]
         }  # fmt: skip
         assert m.components[t] == sorted(set(label.values())).index(label[t])
+
+
+def _quad(*corners):
+    return batch(corners, [[0, 1, 2, 3]])
+
+
+def test_a_side_along_two_others_has_both_for_neighbours() -> None:
+    """Whatever the sides' order and however many junctions lie on one."""
+    steps = np.linspace(0.0, 1.0, 8)
+    parts = [_quad((0, 0, 0), (1, 0, 0), (1, -1, 0), (0, -1, 0))]
+    parts += [_quad((a, 0, 0), (a, 1, 0), (b, 1, 0), (b, 0, 0)) for a, b in pairwise(steps)]
+    m = mesh(join(parts))
+    consistent(m)
+    assert m.report.boundary == 2 + 7 + 1 + 2
+    assert m.report.components == 1
+    assert euler(m) == 1
+    assert m.true[m.faces[:, 1] < 0].all()
+    assert m.joints is not None
+    lifted = m.moved(join(parts).positions + np.float32(0.3))
+    assert lifted is not None
+    assert lifted.triangles is m.triangles
+    bent = join(parts).positions.copy()
+    bent[bent[:, 0] == 0.0, 2] += 0.5
+    bent[0, 2] -= 0.2
+    assert m.moved(bent) is None  # what lay on a side no longer does
+
+
+@pytest.mark.parametrize("gap", [0.02, 0.004])
+def test_gaps_between_tiles_stay_open(gap: float) -> None:
+    tiles = []
+    for row in range(3):
+        for column in range(4):
+            x, y = column + 0.5 * (row % 2), float(row)
+            tiles.append(
+                _quad((x, y, 0), (x + 1 - gap, y, 0), (x + 1 - gap, y + 1 - gap, 0),
+                      (x, y + 1 - gap, 0)))  # fmt: skip
+    m = mesh(join(tiles))
+    assert m.joints is None
+    assert m.report.boundary == 4 * len(tiles)
+
+
+def test_a_slit_between_two_curves_stays_open() -> None:
+    """Lips: both ends in common, as many corners on either side, bent away from each other."""
+    x = np.linspace(-1.0, 1.0, 7)
+    open_ = 0.04 * (1.0 - x**2)
+    upper = [_quad((a, p, 0), (b, q, 0), (b, 1, 0), (a, 1, 0))
+             for (a, p), (b, q) in pairwise(zip(x, open_, strict=True))]  # fmt: skip
+    lower = [_quad((a, -1, 0), (b, -1, 0), (b, -q, 0), (a, -p, 0))
+             for (a, p), (b, q) in pairwise(zip(x, open_, strict=True))]  # fmt: skip
+    m = mesh(join(upper + lower))
+    assert m.joints is None
+    assert m.report.boundary == 2 * 6 + 2 * 6 + 4
+
+
+def test_rounding_parts_no_seam() -> None:
+    b = exploded(batch([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [[0, 1, 2], [0, 2, 3]]))
+    noise = np.random.default_rng(3).uniform(-1.0, 1.0, b.positions.shape) * 2e-6
+    m = mesh(with_positions(b, b.positions + noise))
+    consistent(m)
+    assert m.report.boundary == 4

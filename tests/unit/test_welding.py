@@ -64,10 +64,10 @@ def test_weld_finds_pairs_across_all_cell_boundaries() -> None:
 
 def test_tolerance_closes_a_seam() -> None:
     b = soup(torus())
-    noise = np.random.default_rng(3).normal(size=b.positions.shape) * 1e-6
+    noise = np.random.default_rng(3).normal(size=b.positions.shape) * 1e-4
     rough = with_positions(b, b.positions + noise)
     assert mesh(rough).report.boundary > 100
-    m = mesh(rough, 1e-4)
+    m = mesh(rough, 1e-3)
     consistent(m)
     assert euler(m) == 0
     assert m.closed.all()

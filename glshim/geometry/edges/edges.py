@@ -10,6 +10,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
+from glshim.geometry.edges.pieces import pieces
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.batch import PolygonBatch, join
 from glshim.model.camera import cofactors
@@ -164,10 +165,11 @@ def _edges(
         parts[0] if len(parts) == 1 else (np.concatenate(a) for a in zip(*parts, strict=True))
     )
     owner = np.concatenate(owners) if owners else np.zeros(0, np.int32)
-    met = neighbours(sides, owner[polygon] if len(owner) else None)
+    whose = owner[polygon] if len(owner) else None
+    sides, polygon, order, first, forward = joined(sides, polygon, whose)
     whole = np.concatenate(creases) if creases else np.empty((0, 3))
     numbers = np.concatenate(parents) if parents else np.empty(0, np.intp)
-    return Edges(sides, polygon, planes, whole, numbers, *met), owner
+    return Edges(sides, polygon, planes, whole, numbers, order, first, forward), owner
 
 
 _Group = tuple[Indices, Flags, Rows, Doubles | None]
@@ -225,6 +227,20 @@ def _fans(at: Indices, flags: Flags, polygon: Rows, normals: Doubles) -> _Group:
     sides[:, :, 1] = flags[:, 1:-1]
     parts = at[:, corners].reshape(-1, 3), sides.reshape(-1, 3)
     return *parts, np.repeat(polygon, fans), np.repeat(normals, fans, axis=0)
+
+
+def joined(
+    sides: Floats, polygon: Indices, owner: Indices | None
+) -> tuple[Floats, Indices, Rows, Rows, Flags]:
+    """Sides (E, 6) of polygons (E,), cut where one runs along several others, and `neighbours`."""
+    order, first, forward = neighbours(sides, owner)
+    alone = order[first[np.diff(first, append=len(order)) == 1]]
+    cut = pieces(sides, polygon, alone, owner)
+    if cut is None:
+        return sides, polygon, order, first, forward
+    sides, parent = cut
+    owner = None if owner is None else owner[parent]
+    return sides, polygon[parent], *neighbours(sides, owner)
 
 
 def neighbours(sides: Floats, owner: Indices | None) -> tuple[Rows, Rows, Flags]:

@@ -37,6 +37,8 @@ class Sides(NamedTuple):
     """Sides on edges with three and more, edge by edge."""
     crowds: Rows
     """Where in crowded each edge begins."""
+    alone: Rows
+    """Sides on edges of their own."""
 
 
 def meet(triangles: Indices, count: int) -> Sides:
@@ -56,7 +58,8 @@ def meet(triangles: Indices, count: int) -> Sides:
     many = sizes > 2
     crowded = order[np.repeat(many, sizes)] if many.any() else order[:0]
     crowds = np.cumsum(sizes[many]) - sizes[many]
-    return Sides(np.minimum(one, other), np.maximum(one, other), crowded, np.asarray(crowds))
+    alone = order[at[sizes == 1]]
+    return Sides(np.minimum(one, other), np.maximum(one, other), crowded, np.asarray(crowds), alone)
 
 
 def repeated(triangles: Indices, sides: Sides) -> Rows:

@@ -13,9 +13,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.recovery.adjacency import adjacency, meet, repeated
+from glshim.geometry.recovery.adjacency import Sides, adjacency, meet, repeated
 from glshim.geometry.recovery.components import components
-from glshim.geometry.recovery.fans import fans
+from glshim.geometry.recovery.cutting import Blend, Joints, cut_at_junctions, rims_welded
+from glshim.geometry.recovery.fans import Fans, fans
 from glshim.geometry.recovery.welding import weld
 from glshim.model.arrays import Doubles, Flags, Floats, Indices
 from glshim.model.batch import PolygonBatch
@@ -103,6 +104,10 @@ class Mesh:
     corner_normals: Floats | None = None
     """(T, 3, 3) the normal that the app sent at each corner of triangles, as sent, zero where it
     is not known (`PolygonBatch`). A triangle that was turned keeps those of its corners."""
+    blend: Blend | None = None
+    """With corners, where triangles were cut at vertices that lie on their sides."""
+    joints: Joints | None = None
+    """Which vertices lay on sides: their triangles are cut there. None: none did."""
 
     @property
     def marked(self) -> Flags:
@@ -209,7 +214,9 @@ class Mesh:
         probe = slice(0, 1024)  # most meshes that are not meant show it at once
         if not (self._held(points, held, probe) and self._held(points, held, slice(None))):
             return None
-        given, before = None if normals is None else normals[self.corners], self.corner_normals
+        if self.joints is not None and not self.joints.hold(held):
+            return None
+        given, before = _sent(normals, self.corners, self.blend), self.corner_normals
         same = given is None or before is None or np.array_equal(given, before, equal_nan=True)
         if np.array_equal(held, self.positions):
             return self if same else self._with(_POSED, corner_normals=given)
@@ -242,11 +249,52 @@ class Mesh:
 def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
     """The mesh that the polygons of a batch are.
 
-    Positions weld where they are equal or no further apart than tolerance (object units). Left
-    out are triangles with fewer than three distinct vertices, without area, or not finite.
+    Positions weld where they are equal or no further apart than tolerance (object units); at sides
+    that know no neighbour, also those that rounding parted (a seam computed twice). Triangles are
+    cut where such a side runs along several others (`cutting`). Left out are triangles with fewer
+    than three distinct vertices, without area, or not finite.
     """
     first, vertex = weld(batch.positions, tolerance)
     positions = np.asarray(batch.positions, np.float32)[first] + np.float32(0.0)
+    drawn, flat, sides = _met(batch, vertex, positions)
+    closer = rims_welded(drawn.triangles, positions, sides)
+    if closer is not None:
+        vertex = closer[vertex]
+        drawn, flat, sides = _met(batch, vertex, positions)
+    cut = cut_at_junctions(drawn, positions, sides, tolerance)
+    if cut is not None:
+        drawn, sides = cut.drawn, meet(cut.drawn.triangles, len(positions))
+    found = adjacency(drawn.triangles, drawn.true, sides)
+    corners, blend = drawn.corners, None if cut is None else cut.blend
+    if corners is not None and found.turned.any():
+        corners = np.where(found.turned[:, None], corners[:, (0, 2, 1)], corners)
+        blend = None if blend is None else blend.turned(found.turned)
+    return Mesh(
+        regions=None if batch.regions is None else batch.regions[drawn.polygon],
+        corners=corners,
+        corner_normals=_sent(batch.normals, corners, blend),
+        blend=blend,
+        joints=None if cut is None else cut.joints,
+        positions=positions,
+        weld=vertex,
+        first=first,
+        slack=(
+            _slack(batch.positions, positions[vertex], tolerance)
+            if tolerance > 0.0 or closer is not None
+            else 0.0
+        ),
+        tolerance=tolerance,
+        polygon=drawn.polygon,
+        flat=flat,
+        **found._asdict(),
+    )
+
+
+def _met(
+    batch: PolygonBatch, vertex: Indices, positions: Floats
+) -> tuple[Fans, Indices, Sides]:
+    """The triangles of a batch, vertex (N,) being that of each position; those without area
+    (F, 3); and which sides lie on one edge."""
     drawn = fans(batch, vertex)
     sound = _area(positions, drawn.triangles)
     flat = drawn.triangles[~sound]
@@ -257,23 +305,15 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
     if len(again):
         drawn = drawn.only(np.delete(np.arange(len(drawn.triangles)), again))
         sides = meet(drawn.triangles, len(positions))
-    found = adjacency(drawn.triangles, drawn.true, sides)
-    corners = drawn.corners
-    if corners is not None and found.turned.any():
-        corners = np.where(found.turned[:, None], corners[:, (0, 2, 1)], corners)
-    return Mesh(
-        regions=None if batch.regions is None else batch.regions[drawn.polygon],
-        corners=corners,
-        corner_normals=None if batch.normals is None else batch.normals[corners],
-        positions=positions,
-        weld=vertex,
-        first=first,
-        slack=_slack(batch.positions, positions[vertex], tolerance) if tolerance > 0.0 else 0.0,
-        tolerance=tolerance,
-        polygon=drawn.polygon,
-        flat=flat,
-        **found._asdict(),
-    )
+    return drawn, flat, sides
+
+
+def _sent(normals: Floats | None, corners: Indices | None, blend: Blend | None) -> Floats | None:
+    """(T, 3, 3) the normals (C, 3) at corners (T, 3)."""
+    if normals is None:
+        return None
+    found = normals[corners]
+    return found if blend is None else blend.of(normals, found)
 
 
 def _slack(points: Floats, held: Floats, tolerance: float) -> float:

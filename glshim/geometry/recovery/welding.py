@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from itertools import product
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.recovery.components import components
 from glshim.model.arrays import Doubles, Floats, Indices, Keys, Rows
+
+_Number = TypeVar("_Number", bound="np.integer[Any]")
 
 _SPREAD = np.uint64(0x9E3779B97F4A7C15)
 """An odd number that spreads keys over 64 bits."""
@@ -104,6 +107,14 @@ def mixed(columns: Iterable[NDArray[np.generic]]) -> Keys:
         key ^= key >> np.uint64(32)
     assert key is not None
     return key
+
+
+def distinct(values: NDArray[_Number]) -> NDArray[_Number]:
+    """(K,) each value once, sorted. np.unique hashes, which takes six times as long."""
+    ordered = np.sort(values)
+    fresh = np.ones(len(ordered), np.bool_)
+    np.not_equal(ordered[1:], ordered[:-1], out=fresh[1:])
+    return ordered[fresh]
 
 
 def _starts(ordered: Keys) -> Rows:

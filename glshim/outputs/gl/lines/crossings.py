@@ -17,6 +17,7 @@ import numpy as np
 
 from glshim.driver.ask import integer
 from glshim.driver.functions import gl
+from glshim.geometry.recovery.welding import distinct
 from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.batch import Item, PolygonBatch, join
@@ -291,7 +292,7 @@ class Crossings:
         for plane in range(len(planes)):
             gl.glDisable(GL_CLIP_PLANE0 + plane)
         code = noted.view(np.uint64)[:, 0]
-        code = intersections.distinct(code[code != 0])
+        code = distinct(code[code != 0])
         return code.view(np.uint32).reshape(-1, 2).astype(np.intp) - 1
 
     def _program(self, planes: int, trap: bool) -> Program:

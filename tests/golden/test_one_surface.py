@@ -1,0 +1,126 @@
+"""What is one surface has no lines in it, however a program cuts it into polygons and bodies:
+small fixed-function programs under every style that draws lines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import numpy as np
+import pytest
+from OpenGL import GL, GLU
+
+import glshim
+from tests.differential.world import window
+from tests.sweep import some
+
+SIZE = 300
+EYE = (3.0, 2.2, 4.0)
+STYLES = (
+    "raskar", "edge_mesh", "edge_mesh:strokes=quads", "crease", "fins:ridges=on", "cartoon",
+    "technical:paper=app,hidden=none", "hiddenline:paper=app,fill=app", "brush", "pencil",
+    "blueprint:dimensions=0", "sketch:hatching=0",
+)  # fmt: skip
+BY_HAND = ("brush", "pencil", "blueprint", "sketch")
+Draw = Callable[[], None]
+
+
+@pytest.fixture(scope="module")
+def view() -> Iterator[None]:
+    with window(SIZE, SIZE):
+        yield
+
+
+def camera() -> None:
+    GL.glViewport(0, 0, SIZE, SIZE)
+    GL.glEnable(GL.GL_DEPTH_TEST)
+    GL.glMatrixMode(GL.GL_PROJECTION)
+    GL.glLoadIdentity()
+    GLU.gluPerspective(40.0, 1.0, 0.1, 100.0)
+    GL.glMatrixMode(GL.GL_MODELVIEW)
+    GL.glLoadIdentity()
+    GLU.gluLookAt(*EYE, 0, 0, 0, 0, 1, 0)
+
+
+def picture(style: str, draw: Draw) -> np.ndarray:
+    """(H, W) darkness 0..1 of a scene in a style, lit by nothing, grey on white."""
+    camera()
+    GL.glClearColor(1.0, 1.0, 1.0, 1.0)
+    GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+    GL.glColor3f(0.8, 0.8, 0.8)
+    with glshim.style(style) as styled:
+        draw()
+        found = styled.image()
+    return np.asarray(found.astype(float) / 255.0)
+
+
+def changed(style: str, one: Draw, other: Draw) -> np.ndarray:
+    """(H, W) pixels at which two scenes differ in a style, but for what a hand does along lines
+    that both have."""
+    apart = np.abs(picture(style, one) - picture(style, other)).max(axis=2) > 0.15
+    near = np.abs(picture("raskar", other) - picture("none", other)).max(axis=2) > 0.1
+    if style.partition(":")[0] in BY_HAND:
+        for _ in range(5):
+            near = np.pad(near, 1)
+            near = np.any([near[1 + i : 1 + i + SIZE, 1 + j : 1 + j + SIZE]
+                           for i in (-1, 0, 1) for j in (-1, 0, 1)], axis=0)  # fmt: skip
+        apart &= ~near
+    return apart
+
+
+def polygon(*corners: tuple[float, float, float]) -> None:
+    GL.glBegin(GL.GL_POLYGON)
+    for corner in corners:
+        GL.glVertex3f(*corner)
+    GL.glEnd()
+
+
+def back() -> None:
+    """The three sides of a cube that are not seen."""
+    polygon((1, -1, -1), (-1, -1, -1), (-1, 1, -1), (1, 1, -1))
+    polygon((-1, -1, -1), (-1, -1, 1), (-1, 1, 1), (-1, 1, -1))
+    polygon((-1, -1, -1), (1, -1, -1), (1, -1, 1), (-1, -1, 1))
+
+
+def whole() -> None:
+    polygon((-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1))
+    polygon((1, -1, 1), (1, -1, -1), (1, 1, -1), (1, 1, 1))
+    polygon((-1, 1, 1), (1, 1, 1), (1, 1, -1), (-1, 1, -1))
+    back()
+
+
+def cut() -> None:
+    """The same cube as a program that joins solids leaves it: sides along several others'."""
+    third = 1.0 / 3.0
+    for x, end in ((-1.0, -third), (-third, 0.4), (0.4, 1.0)):
+        polygon((x, -1, 1), (end, -1, 1), (end, 1, 1), (x, 1, 1))
+    polygon((1, -1, 1), (1, -1, -1), (1, 0.25, -1), (1, 0.25, 1))
+    polygon((1, 0.25, 1), (1, 0.25, third), (1, 1, third), (1, 1, 1))
+    polygon((1, 0.25, third), (1, 0.25, -1), (1, 1, -1), (1, 1, third))
+    polygon((-1, 1, 1), (0, 1, 1), (0, 1, -1), (-1, 1, -1))
+    for a, b in (((0, 1, 1), (1, 1, 1)), ((1, 1, 1), (1, 1, -1)), ((1, 1, -1), (0, 1, -1))):
+        polygon(a, b, (0, 1, 0.1))  # a side of the quad's along two of theirs
+    back()
+
+
+def sheet(*steps: int) -> None:
+    """A curved sheet of patches, one above the other, each tessellated by itself."""
+    for row, count in enumerate(steps):
+        low, high = -1.0 + 2.0 * row / len(steps), -1.0 + 2.0 * (row + 1) / len(steps)
+        GL.glBegin(GL.GL_QUAD_STRIP)
+        for turn in np.linspace(1.0, -1.0, count + 1):
+            x, z = 1.4 * np.sin(turn), 1.4 * np.cos(turn) - 0.6
+            GL.glVertex3f(x, low, z)
+            GL.glVertex3f(x, high, z)
+        GL.glEnd()
+
+
+@pytest.mark.parametrize("style", some(STYLES, 5))
+def test_a_cut_face_is_one_face(view: None, style: str) -> None:
+    assert changed(style, cut, whole).mean() < 0.002
+
+
+@pytest.mark.parametrize("style", some(STYLES, 5, 1))
+def test_patches_tessellated_apart_are_one_sheet(view: None, style: str) -> None:
+    apart = changed(style, partial(sheet, 24, 16), partial(sheet, 24))
+    assert apart.mean() < 0.003
