@@ -13,6 +13,12 @@ import numpy as np
 
 from glshim.model.arrays import Doubles
 
+_COOL, _WARM = np.array((0.35, 0.45, 0.85)), np.array((1.0, 0.9, 0.6))
+"""What greys turn to in `gooch`."""
+_COOL_LIGHT = 0.455
+"""Luminance of `_COOL`."""
+_DARK = 0.2
+"""Colours darker than that count as greyer than they are."""
 Shade = tuple[float, float, float]
 """Red, green, blue; lights may be brighter than 1."""
 
@@ -105,12 +111,22 @@ def gooch(
     yellow: float,
     alpha: float,
     beta: float,
+    hue: float = 0.0,
 ) -> Doubles:
-    """(N, 3) cool-to-warm tones of paints (N, 3), by n . l (N,): warm towards the light.
+    """(N, 3) cool-to-warm tones of paints (N, 3), by n . l (N,): warm towards the light. hue: share
+    of their own hue that is kept: strong paints get lighter and darker, greys turn to slate and
+    cream. 0: the paper's blue and yellow.
 
     A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
     Technical Illustration", SIGGRAPH 1998, equations 1 to 4."""
-    cool = np.minimum(np.array((0.0, 0.0, blue)) + alpha * paint, 1.0)
-    warm = np.minimum(np.array((yellow, yellow, 0.0)) + beta * paint, 1.0)
+    most, least = paint.max(axis=1, keepdims=True), paint.min(axis=1, keepdims=True)
+    strong = (most - least) / np.maximum(most, _DARK)
+    own = paint / np.maximum(most, 1e-3)
+    slate = (1.0 - strong) * _COOL + strong * _COOL_LIGHT * own
+    cream = (1.0 - strong) * _WARM + strong * own
+    toward_cool = (1.0 - hue) * np.array((0.0, 0.0, 1.0)) + hue * slate
+    toward_warm = (1.0 - hue) * np.array((1.0, 1.0, 0.0)) + hue * cream
+    cool = np.minimum(blue * toward_cool + alpha * paint, 1.0)
+    warm = np.minimum(yellow * toward_warm + beta * paint, 1.0)
     share = ((1.0 + toward) / 2.0)[:, None]
     return np.asarray(share * warm + (1.0 - share) * cool)

@@ -2,7 +2,8 @@
 
 A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for Automatic
 Technical Illustration", SIGGRAPH 1998. Its numbers, for pale paints, are the look ``gooch``;
-programs have strong ones, which keep more of their own here.
+programs have strong ones, and textures, which keep more of their own and their hues here: the
+paper's yellow turns greys olive, its blue turns reds mauve.
 """
 
 from __future__ import annotations
@@ -56,6 +57,10 @@ class Technical(FeatureLines):
     beta: float = option(
         0.75, help="surface colour mixed into the warm tone (the paper's beta)", low=0.0, high=1.0
     )
+    hue: float = option(
+        1.0, help="share of the surfaces' own hue that is kept; 0: tones of the paper's blue and "
+        "yellow", low=0.0, high=1.0,
+    )  # fmt: skip
     highlight: float = options.highlight(0.4)
     gloss: float = options.gloss(30.0)
     light: str = option(
@@ -105,7 +110,7 @@ class Technical(FeatureLines):
         paint = (0.0, 0.0, 0.0, 0.0) if isinstance(self.paint, str) else (*self.paint, 1.0)
         look: dict[str, Uniform] = {
             "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
-            "beta": self.beta, "highlight": self.highlight, "gloss": self.gloss,
+            "beta": self.beta, "hue": self.hue, "highlight": self.highlight, "gloss": self.gloss,
         }  # fmt: skip
         for lens in lenses(lit + unlit):
             lamps = lamp_uniforms((self._lamp(layer),), lens)

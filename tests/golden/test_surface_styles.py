@@ -129,6 +129,7 @@ def test_tones_are_those_of_gooch(backend, paint):
     wanted = gooch(
         np.full((len(normals), 3), base), normals @ (way / np.linalg.norm(way)),
         blue=style.blue, yellow=style.yellow, alpha=style.alpha, beta=style.beta,
+        hue=style.hue,
     )  # fmt: skip
     assert np.abs(picture[hit] - wanted).max() < 4 / 255
 
@@ -141,6 +142,7 @@ def test_the_light_may_be_the_apps(backend):
     wanted = gooch(
         np.full((len(normals), 3), PAINT), normals @ (way / np.linalg.norm(way)),
         blue=style.blue, yellow=style.yellow, alpha=style.alpha, beta=style.beta,
+        hue=style.hue,
     )  # fmt: skip
     assert np.abs(picture[hit] - wanted).max() < 4 / 255
 
@@ -330,3 +332,21 @@ def test_dense_meshes_have_no_thicket_of_hidden_lines():
     few, many = look.cube(), look.sphere(200, 120)
     assert shares(few, "auto") == shares(few, "dashed") == shares(many, "dashed") == {0.0, 0.4}
     assert shares(many, "auto") == {0.0}
+
+
+def test_greys_do_not_turn_olive_and_paints_keep_their_hue():
+    """As they do with the paper's blue and yellow."""
+    style = Technical()
+    numbers = {name: getattr(style, name) for name in ("blue", "yellow", "alpha", "beta")}
+    greys = np.repeat(np.linspace(0.1, 0.9, 9)[:, None], 3, axis=1)
+    for hue, most in ((style.hue, 0.06), (0.0, 1.0)):
+        warm = gooch(greys, np.ones(9), **numbers, hue=hue)
+        cool = gooch(greys, -np.ones(9), **numbers, hue=hue)
+        assert (warm[:, 0] > warm[:, 2]).all() and (cool[:, 2] > cool[:, 0]).all()
+        olive = warm[:, 1] - (warm[:, 0] + warm[:, 2]) / 2  # between red and blue: neither
+        assert (olive < most).all()
+        assert (olive > 0.08).all() == (hue == 0.0)
+    red = np.array([(0.8, 0.1, 0.1)])
+    for toward in (-1.0, 0.0, 1.0):
+        tone = gooch(red, np.array([toward]), **numbers, hue=style.hue)[0]
+        assert tone[2] < 0.25 * tone[0] and abs(tone[1] - tone[2]) < 0.05
