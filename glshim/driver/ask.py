@@ -53,8 +53,11 @@ def settle_attributes() -> None:
 
 
 def is_enabled(switch: int) -> bool:
-    """Whether a switch is on."""
-    return bool(gl.glIsEnabled(switch))
+    """Whether a switch is on. Not by glIsEnabled: where a list that is executed as it is compiled
+    has an attribute before a glEnd, Mesa takes the primitive for open and finds an error there."""
+    value = ctypes.c_ubyte(0)
+    gl.glGetBooleanv(switch, ctypes.byref(value))
+    return bool(value.value)
 
 
 def text(name: int) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 import re
 from functools import cache
+from threading import local
 
-from glshim.driver.ask import integer, text
+from glshim.driver.ask import integer, is_enabled, text
 from glshim.driver.functions import current_context, gl
 from glshim.spec.constants import (
     GL_CONTEXT_CORE_PROFILE_BIT,
@@ -47,8 +48,32 @@ PROGRAM_SWITCHES = (GL_VERTEX_PROGRAM_ARB, GL_VERTEX_SHADER_EXT)
 """Older kinds of programs, of assembly's: each is on or off."""
 
 
+class _Kept(local):
+    """What the driver said of itself in a context of this thread whose list is open."""
+
+    context = 0
+    text = ""
+
+
+_kept = _Kept()
+
+
+def list_opened() -> None:
+    """A display list is being compiled from here on: what the driver says of itself is not asked
+    again until `list_closed`. Mesa may find an error in that there (see `ask.is_enabled`)."""
+    _kept.text, _kept.context = text(GL_VERSION), current_context()
+    _extensions(_kept.text)
+
+
+def list_closed() -> None:
+    """It is whole."""
+    _kept.text = ""
+
+
 def version_text() -> str:
     """What the driver says, empty without a context."""
+    if _kept.text and _kept.context == current_context():
+        return _kept.text
     return text(GL_VERSION)
 
 
@@ -72,7 +97,7 @@ def _number(told: str) -> Version | None:
 def restarts_primitives() -> bool:
     """Whether some index ends a primitive in the draws of now. Asks what this version knows."""
     number = version() or OLDEST
-    return any(number >= since and gl.glIsEnabled(switch) for switch, since in _RESTARTS)
+    return any(number >= since and is_enabled(switch) for switch, since in _RESTARTS)
 
 
 def compiles_a_list() -> bool:

@@ -126,7 +126,6 @@ SIGNATURES: dict[str, str] = {
     "glGetVertexAttribfv": "uup",
     "glGetVertexAttribiv": "uup",
     "glIsBuffer": "u>b",
-    "glIsEnabled": "u>b",
     "glIsFramebuffer": "u>b",
     "glIsProgram": "u>b",
     "glIsQuery": "u>b",

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass
 from enum import IntEnum
-from threading import get_ident
+from threading import get_ident, local
 from types import MappingProxyType
 from typing import Any, NoReturn, TypeVar
 
@@ -85,8 +85,16 @@ class Drawable:
 
 
 UNKNOWN = Drawable(lambda: None, is_shown=False)
+
+
+class _Here(local):
+    """What each thread presents."""
+
+    drawable = UNKNOWN
+
+
+_here = _Here()
 _listeners: tuple[Listener, ...] = ()
-_drawable = UNKNOWN
 _presented = 0
 _leaving = False
 _exit_raised = False
@@ -148,7 +156,7 @@ def present(
     """
     if not listening() or get_ident() in _showing:
         return swap(*arguments, **named)
-    with _ending(on or _drawable):
+    with _ending(on or _here.drawable):
         return swap(*arguments, **named)
 
 
@@ -176,10 +184,10 @@ class Ending:
 @contextmanager
 def _ending(on: Drawable) -> Iterator[None]:
     """Inside it a frame is shown, once: toolkits call one another."""
-    global _drawable, _shown, _read
-    outer, thread = _drawable, get_ident()
+    global _shown, _read
+    outer, thread = _here.drawable, get_ident()
     try:  # a signal handler of the app's may raise from here on
-        _drawable = on
+        _here.drawable = on
         _shown, _read = _shown or on.is_shown, None
         _showing.add(thread)
         with Held():
@@ -188,7 +196,7 @@ def _ending(on: Drawable) -> Iterator[None]:
         yield
         _over(on)
     finally:
-        _drawable = outer
+        _here.drawable = outer
         _showing.discard(thread)
 
 
@@ -214,31 +222,31 @@ def finish_drawing() -> None:
 
 def read_back(on: Drawable) -> None:
     """The app has read its picture. It is a frame unless a toolkit shows it yet."""
-    global _drawable, _read
-    outer = _drawable
+    global _read
+    outer = _here.drawable
     try:
-        _drawable = on
+        _here.drawable = on
         with Held():
             for listener in _listeners:
                 _call(listener.read)
         _read = on
     finally:
-        _drawable = outer
+        _here.drawable = outer
 
 
 def end_read() -> None:
     """Another frame begins, and no toolkit has shown what was read back: that was a frame."""
-    global _drawable, _read
+    global _read
     on, _read = _read, None
     if on is None:
         return
-    outer = _drawable
+    outer = _here.drawable
     try:
-        _drawable = on
+        _here.drawable = on
         finish_drawing()
         _over(on)
     finally:
-        _drawable = outer
+        _here.drawable = outer
 
 
 def shown_by_a_toolkit() -> bool:
@@ -255,15 +263,14 @@ def _context_is_current() -> bool:
 @contextmanager
 def drawing(on: Drawable) -> Iterator[None]:
     """Frames that end inside belong to this drawable."""
-    global _drawable
-    outer, thread = _drawable, get_ident()
+    outer, thread = _here.drawable, get_ident()
     is_first = thread not in _drawing
     try:
-        _drawable = on
+        _here.drawable = on
         _drawing.add(thread)
         yield
     finally:
-        _drawable = outer
+        _here.drawable = outer
         if is_first:
             _drawing.discard(thread)
 
@@ -281,32 +288,32 @@ def begun() -> int:
 def drawable_size() -> Size | None:
     """The size of what is being presented, None where the toolkit did not say."""
     with suppress(Exception):
-        return _drawable.size()
+        return _here.drawable.size()
     return None
 
 
 def drawable_framebuffer() -> int:
     """The framebuffer object of what is being presented, 0 for the window's own."""
     with suppress(Exception):
-        return _drawable.framebuffer()
+        return _here.drawable.framebuffer()
     return 0
 
 
 def drawable_buffer() -> int:
     """The buffer of that framebuffer that is looked at, 0 for the one that is shown."""
-    return _drawable.buffer
+    return _here.drawable.buffer
 
 
 def drawable_texture() -> TextureImage | None:
     """The texture that the app reads its picture from, if it does."""
-    return _drawable.texture
+    return _here.drawable.texture
 
 
 def drawable_owner() -> str:
     """The name of the toolkit that presents it, or how it ends without one."""
-    if _drawable.owner:
-        return _drawable.owner
-    return "glFlush or glFinish" if _drawable is UNKNOWN else "pictures that are read back"
+    if _here.drawable.owner:
+        return _here.drawable.owner
+    return "glFlush or glFinish" if _here.drawable is UNKNOWN else "pictures that are read back"
 
 
 def buffering(double: bool | None) -> None:

@@ -34,7 +34,7 @@ def current(monkeypatch: pytest.MonkeyPatch) -> None:
     """A context is current, nobody listens, and no frame is being shown."""
     monkeypatch.setattr(frames, "_context_is_current", lambda: True)
     monkeypatch.setattr(frames, "_listeners", ())
-    monkeypatch.setattr(frames, "_drawable", frames.UNKNOWN)
+    monkeypatch.setattr(frames._here, "drawable", frames.UNKNOWN)
     monkeypatch.setattr(frames, "_showing", set())
 
 

@@ -10,6 +10,7 @@ import threading
 import pytest
 
 from glshim.bindings.pyopengl.record import Record
+from glshim.toolkits import frames
 
 LISTED_FIRST = """
 import threading
@@ -55,3 +56,28 @@ def test_each_thread_has_a_primitive_of_its_own() -> None:
     other.join()
     assert found == [False, 0, None, True]
     assert (record.list_open, record.mode) == (True, 7)
+
+
+def test_each_thread_presents_a_drawable_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(frames, "_context_is_current", lambda: True)
+    both = threading.Barrier(2, timeout=10)
+    found: dict[int, list[frames.Size | None]] = {}
+
+    def look() -> None:
+        found.setdefault(threading.get_ident(), []).append(frames.drawable_size())
+        both.wait()
+
+    def show(size: frames.Size) -> None:
+        frames.present(both.wait, on=frames.Drawable(lambda: size))
+        found[threading.get_ident()].append(size)
+
+    listener = frames.listen(frames.Stage.DRAW, before=look, after=look)
+    try:
+        threads = [threading.Thread(target=show, args=((n, n),)) for n in (1, 2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    finally:
+        listener.stop()
+    assert sorted(found.values()) == [[(1, 1)] * 3, [(2, 2)] * 3]

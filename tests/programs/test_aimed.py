@@ -21,8 +21,8 @@ PROGRAMS = [
     "arrays_accepted", "bare_ctypes", "begin_value", "begin_wraps", "debug_messages", "keywords",
     *(f"memory_not_read {which}" for which in (
         "incomplete", "reversed_range", "far_element", "too_few", "generic_zero", "base_wraps")),
-    "module_names", "multidraw_negative", "names", "pending_errors", "queries", "two_threads",
-    "valid_calls", "vertex_program",
+    "list_errors", "module_names", "multidraw_negative", "names", "pending_errors", "queries",
+    "two_threads", "valid_calls", "vertex_program",
 ]  # fmt: skip
 STYLES = [name for name in names() if name != "none"]
 PLAIN_PICTURE = {

@@ -9,6 +9,7 @@ from threading import local
 from glshim.bindings.base import PrimitiveSink
 from glshim.bindings.pyopengl import forward
 from glshim.driver.ask import integer
+from glshim.driver.context import list_closed, list_opened
 from glshim.spec.attributes import RECORD_BYTES
 from glshim.spec.constants import GL_RENDER, GL_RENDER_MODE
 from glshim.system.interrupts import at_once
@@ -114,6 +115,7 @@ class Record(local):
         """A list begins; when capturing, what is said outside primitives is recorded, too."""
         self.spill()
         self.list_open = True
+        list_opened()
         if capturing and not self.shadow:
             self.between()
 
@@ -130,6 +132,7 @@ class Record(local):
             self.sink.unfinished(self.mode, self.stream())
         self.loose = self.shadow = False
         self.list_open = False
+        list_closed()
 
     def settle(self) -> None:
         """Tell the sink what an open list has said outside primitives so far."""
