@@ -22,18 +22,20 @@ from glshim.model.batch import Wanted
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
-from glshim.outputs.output import WINDOW, Destination, Given, Output
+from glshim.outputs.output import WINDOW, Destination, Given, Ink, Output
 from glshim.sources.fixed.lights import light
 from glshim.sources.following.census import Census
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
+from glshim.sources.following.ownink import Run
 from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.sources.following.silence import Silence
+from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.spec.roles import Role
 from glshim.styling.enlarging import enlarged
-from glshim.styling.options import options_of
-from glshim.styling.protocol import Colour, Layer, Pass, Styler
+from glshim.styling.inks import inks_of
+from glshim.styling.protocol import Layer, Pass, Styler
 from glshim.system import modules
 from glshim.system.ending import at_end
 from glshim.system.interrupts import Held
@@ -72,6 +74,8 @@ class Pipeline:
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
         self._covers = False
         """Whether its surface is another than the app's."""
+        self.gathers_ink = False
+        """Whether it keeps the program's own ink."""
         self.live = False
         """Whether another style may come: a fault ends the one that it befell, not the following.
         """
@@ -101,6 +105,7 @@ class Pipeline:
         self.styler = styler
         self._enlarge()
         self._covers = styler is not None and styler.surface != "app"
+        self.gathers_ink = styler is not None and styler.gathers_ink
         for output in self._outputs:
             output.set_styler(styler)
         self._follower.restyle(_wanted(styler) if styler is not None else None)
@@ -140,6 +145,26 @@ class Pipeline:
             for output in self._outputs:
                 output.uncover()
 
+    def gather_ink(self, state: DrawState, scene: Scene, *, first: bool, listed: bool) -> bool:
+        """The app is about to draw text or lines of its own."""
+        ink = Ink(
+            state.framebuffer, state.camera.viewport, state.depth_tested, state.depth_written,
+            listed,
+        )  # fmt: skip
+        return any([output.gather_ink(ink, scene, first=first) for output in self._outputs])
+
+    def ink_gathered(self) -> None:
+        """It has drawn them."""
+        for output in self._outputs:
+            output.ink_gathered()
+
+    def lay_ink(self, run: Run, scene: Scene, *, recoloured: bool) -> None:
+        """What was gathered goes into the picture."""
+        for output in self._outputs:
+            output.lay_ink(
+                run.framebuffer, self._destination, tested=run.tested, recoloured=recoloured
+            )  # fmt: skip
+
     def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the outputs add it."""
         if self._enlarged is None:
@@ -166,7 +191,7 @@ class Pipeline:
             return
         if self.styler is not None and self._silence.wants_colours:
             cleared = reals(GL_COLOR_CLEAR_VALUE, 4)
-            self._silence.look_at(self.styler.name, _inks(self.styler), cleared)
+            self._silence.look_at(self.styler.name, inks_of(self.styler), cleared)
         refusals = []
         for output in self._outputs:
             try:
@@ -248,16 +273,6 @@ def _wanted(styler: Styler) -> Wanted:
     return Wanted(
         colours=styler.wants_colours, normals=styler.wants_normals, lights=styler.wants_lights
     )
-
-
-def _inks(styler: Styler) -> dict[str, Colour]:
-    """The colours of its lines over the app's own background, by option; none where it brings one:
-    ``ink`` and ``..._ink``, ``paper`` and ``fill`` are what styles call them."""
-    if getattr(styler, "paper", "app") != "app" or not isinstance(styler.surface, str):
-        return {}
-    names = (option.name for option in options_of(type(styler)) if option.kind == "colour")
-    inks = {name: getattr(styler, name) for name in names if f"_{name}".endswith("_ink")}
-    return {name: ink for name, ink in inks.items() if ink is not None}
 
 
 def _count(draw: Given) -> int:

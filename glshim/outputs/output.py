@@ -53,6 +53,20 @@ class Context(Protocol):
         """Leave a mark in it, so that :attr:`stale` can tell."""
 
 
+@dataclass(frozen=True, slots=True)
+class Ink:
+    """How the program draws some text or lines."""
+
+    framebuffer: int
+    viewport: tuple[int, int, int, int]
+    tested: bool
+    """With a depth test."""
+    written: bool
+    """It writes depth."""
+    listed: bool = False
+    """A display list draws it, which may set for itself what else is said here."""
+
+
 class Output:
     """One way out. The base does nothing but for `add`, which every output must."""
 
@@ -68,6 +82,20 @@ class Output:
 
     def uncover(self) -> None:
         """It has drawn them."""
+
+    def gather_ink(self, ink: Ink, context: Context, *, first: bool) -> bool:
+        """The app is about to draw text or lines, outside primitives: keep them apart. Whether that
+        can be had. first: nothing is kept so far."""
+        return False
+
+    def ink_gathered(self) -> None:
+        """It has drawn them."""
+
+    def lay_ink(
+        self, framebuffer: int, destination: Destination, *, tested: bool, recoloured: bool
+    ) -> None:
+        """What was kept apart goes into the app's picture. tested: behind surfaces it does not.
+        recoloured: in colours that can be read there."""
 
     def add(
         self, given: Sequence[Given], layer: Layer, destination: Destination, context: Context

@@ -28,6 +28,7 @@ class Role(Enum):
     OPAQUE_DRAW = "draws something we do not restyle"
     RECT = "draws one axis-parallel rectangle (signatures: spec/draws.py)"
     EVALUATOR_MESH = "draws an evaluated grid (its maps: spec/draws.py)"
+    BITMAP = "writes the ones of a bitmap in one colour: text"
     PIXELS = "writes pixels without polygons"
     LIST_OPEN = "opens a display list"
     LIST_CLOSE = "closes a display list"
@@ -76,7 +77,7 @@ LIST_CALLS = frozenset((Role.LIST_CALL, Role.LISTS_CALL))
 LIST_BRACKETS = frozenset((Role.LIST_OPEN, Role.LIST_CLOSE))
 POLYGON_DRAWS = frozenset((Role.ARRAY_DRAW, Role.RECT, Role.EVALUATOR_MESH, *LIST_CALLS))
 """Draw polygons that we can know."""
-OTHER_DRAWS = frozenset((Role.PIXELS, Role.OPAQUE_DRAW))
+OTHER_DRAWS = frozenset((Role.BITMAP, Role.PIXELS, Role.OPAQUE_DRAW))
 BUFFER_WRITES = frozenset((Role.BUFFER_WRITE, Role.NAMED_BUFFER_WRITE, Role.BUFFERS_WRITE))
 CONDITIONS = frozenset((Role.CONDITION_OPEN, Role.CONDITION_CLOSE))
 IN_LISTS = frozenset(
@@ -87,6 +88,10 @@ IN_LISTS = frozenset(
     )
 )  # fmt: skip
 """Followed only while a display list is open; else the driver is asked."""
+READERS = frozenset((Role.READBACK, Role.READ_IMAGE, Role.TARGET))
+"""They read the picture, or turn to another one."""
+RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
+"""When a new context at an old one's address is looked out for: a program that draws comes by."""
 WATCHED = (
     POLYGON_DRAWS | OTHER_DRAWS | LIST_BRACKETS | BUFFER_WRITES | CONDITIONS
     | {
@@ -135,7 +140,9 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.OPAQUE_DRAW, r"gl(Stencil|Cover|StencilThenCover)\w+Path\w*NV|glRectxv?OES"),
     (Role.RECT, r"glRect[dfis]v?"),
     (Role.EVALUATOR_MESH, r"glEvalMesh[12]"),
-    (Role.PIXELS, r"glBitmap(xOES)?|glDrawPixels|glCopyPixels"),
+    (Role.BITMAP, r"glBitmap(xOES)?"),
+    (Role.PIXELS, r"glDrawPixels"),
+    (Role.OPAQUE_DRAW, r"glCopyPixels"),
     (Role.LIST_OPEN, r"glNewList"),
     (Role.LIST_CLOSE, r"glEndList"),
     (Role.LIST_CALL, r"glCallList"),

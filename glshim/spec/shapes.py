@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from enum import Enum
+from functools import cache
 from typing import Any
 
 
@@ -76,3 +77,11 @@ def shape_role(module: str, name: str) -> ShapeRole | None:
         if home == module and re.fullmatch(pattern, name):
             return role
     return None
+
+
+@cache
+def draws_no_polygons(name: str) -> bool:
+    """Whether a C library's function draws lines, points or text, whatever its arguments."""
+    return any(
+        role is ShapeRole.DRAWING and re.fullmatch(pattern, name) for _, role, pattern in ROWS
+    )

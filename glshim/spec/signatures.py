@@ -24,6 +24,7 @@ SIGNATURES: dict[str, str] = {
     "glBlendEquation": "u",
     "glBlendEquationi": "uu",
     "glBlendFunc": "uu",
+    "glBlendFuncSeparate": "uuuu",
     "glBlitFramebuffer": "iiiiiiiiuu",
     "glBufferData": "unpu",
     "glCallList": "u",

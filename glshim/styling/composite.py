@@ -50,6 +50,10 @@ class Composite(Styler):
     def surface(self) -> str | Colour:
         return self.parts[0].surface
 
+    @property
+    def gathers_ink(self) -> bool:
+        return self.parts[0].gathers_ink
+
     def draws(self, layer: Layer) -> Iterable[_Draw]:
         """Surfaces, then lines; each part in coats of its own."""
         first, *others = (_parted(part, layer, k) for k, part in enumerate(self.parts))

@@ -75,6 +75,14 @@ class Styler:
         fill: str | Colour = getattr(self, "fill", "app")
         return fill
 
+    @property
+    def gathers_ink(self) -> bool:
+        """Whether text and lines that the program draws itself are kept out of its picture, and
+        laid over what the style makes of that, in colours that can be read there. For a style with
+        an option `own_ink` that says so; ``auto`` is where it brings a `paper`."""
+        own = getattr(self, "own_ink", "off")
+        return own == "on" or (own == "auto" and getattr(self, "paper", "app") != "app")
+
     @abstractmethod
     def draws(self, layer: Layer) -> Iterable[Lines | Pass | BackFaces]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""

@@ -58,6 +58,7 @@ class Blueprint(ByHand):
     intersections: str = options.intersections()
     ink: Colour = options.ink("#ffffff", "all lines and dimensions")
     paper: Colour = option("#000080", help="colour of the paper")
+    own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """The paper, every line, and dimensions over them."""

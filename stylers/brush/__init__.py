@@ -66,6 +66,7 @@ class Brush(ByHand):
     dab: float = option(
         13.0, help="length of the dabs of paint on surfaces", low=3.0, high=64.0, unit="px"
     )
+    own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)

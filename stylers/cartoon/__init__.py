@@ -80,6 +80,7 @@ class Cartoon(FeatureLines):
     crease_angle: float = options.crease_angle(60.0)
     intersections: str = options.intersections()
     tolerance: float = options.tolerance()
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

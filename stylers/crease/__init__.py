@@ -109,6 +109,7 @@ class Crease(Boundaries, Valleys, Ridges, Contours):
     )
     tolerance: float = options.tolerance(0.0)
     fill: str | Colour = options.fill()
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

@@ -95,6 +95,7 @@ class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Con
     )
     paper: str | Colour = options.paper("app")
     fill: str | Colour = options.fill()
+    own_ink: str = options.own_ink()
 
     @property
     def wants_colours(self) -> bool:

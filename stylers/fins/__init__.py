@@ -95,6 +95,7 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
     paint: str | Colour = options.paint()
     shine: float = option(0.4, help="brightness of highlights (lit, cel)", low=0.0, high=1.0)
     bands: int = option(4, help="flat shades of light (cel)", low=2, high=16)
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

@@ -61,6 +61,7 @@ class Fur(Styler):
         choices=("app",), colour=True,
     )  # fmt: skip
     fill: str | Colour = options.fill()
+    own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """The fins of each body, and over them its shells from the skin outwards."""

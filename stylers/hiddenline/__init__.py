@@ -51,6 +51,7 @@ class HiddenLine(FeatureLines):
     hidden: str = options.hidden()
     intersections: str = options.intersections()
     tolerance: float = options.tolerance()
+    own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper behind the polygons, and lines."""

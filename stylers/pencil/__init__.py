@@ -55,6 +55,7 @@ class Pencil(ByHand):
     intersections: str = options.intersections()
     ink: Colour = options.ink("#2b2a2d", "lines and tones")
     paper: Colour = option("#f8f6f0", help="colour of the paper")
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

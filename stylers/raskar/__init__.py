@@ -51,6 +51,7 @@ class Raskar(Intersections, Valleys, Ridges, Contours):
         True, help="find neighbouring polygons; off: depth alone decides, as in the paper"
     )
     fill: str | Colour = options.fill()
+    own_ink: str = options.own_ink()
 
     def usual(self, kind: str) -> Look:
         """Of the lines that `texture_on` leaves out without a texture."""

@@ -77,6 +77,7 @@ class Shadow(Styler):
         choices=("app", "shadow"),
     )
     fill: str | Colour = options.fill()
+    own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Pass]:
         """Volumes into the stencil, then the shade; where bodies do not shadow themselves, for

@@ -148,6 +148,15 @@ def paper(default: Colour | str) -> Any:
     )  # fmt: skip
 
 
+def own_ink() -> Any:
+    """``own_ink``: `Styler.gathers_ink`."""
+    return option(
+        "auto",
+        help="keep text and lines of the program readable: darker or lighter where they would "
+        "vanish (auto: where the style brings paper)", choices=("auto", "on", "off"),
+    )  # fmt: skip
+
+
 def intersections() -> Any:
     """``intersections``, for `stylers.shared.intersections.looked_for`."""
     return option(

@@ -44,6 +44,7 @@ class Sketch(ByHand):
     ink: Colour = options.ink("#1b1b1e", "strokes and hatching")
     paper: Colour = option("#faf8f2", help="colour of the paper")
     tint: float = option(0.3, help="strength of the program's own colours", low=0.0, high=1.0)
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

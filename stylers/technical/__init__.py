@@ -88,6 +88,7 @@ class Technical(FeatureLines):
     crease_angle: float = options.crease_angle(40.0)
     intersections: str = options.intersections()
     tolerance: float = options.tolerance()
+    own_ink: str = options.own_ink()
 
     @property
     def wants_normals(self) -> bool:

@@ -48,6 +48,7 @@ class TwoPass(Valleys, Ridges):
     tolerance: float = options.tolerance()
     smooth: bool = option(True, help="antialias contours (GL_LINE_SMOOTH)")
     fill: str | Colour = options.fill("front faces")
+    own_ink: str = options.own_ink()
 
     @property
     def surface(self) -> str | Colour:

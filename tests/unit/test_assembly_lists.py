@@ -6,16 +6,9 @@ import numpy as np
 import pytest
 
 from glshim.sources.fixed.immediate import assemble
-from glshim.sources.fixed.lists import (
-    Change,
-    Closing,
-    ListBook,
-    ListPolygons,
-    LooseVertices,
-    Opening,
-    list_names,
-)
+from glshim.sources.fixed.lists import ListBook, ListPolygons, list_names
 from glshim.sources.fixed.matrices import matrix_of
+from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Opening
 from glshim.sources.source import Call, Primitive
 from glshim.spec.attributes import BY_NAME
 from glshim.spec.constants import GL_2_BYTES, GL_3_BYTES, GL_4_BYTES
@@ -133,7 +126,7 @@ def test_switches_that_forbid_lines(off: Change, on: Change) -> None:
 
 
 def test_batches_and_shapes_take_their_places() -> None:
-    from glshim.sources.fixed.lists import Shape
+    from glshim.spec.shapes import Shape
 
     batch = assemble(SQUARE.mode, SQUARE.stream)
     asked = []

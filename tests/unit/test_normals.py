@@ -22,7 +22,8 @@ from glshim.sources.fixed.immediate import (
     scaled,
     transformed,
 )
-from glshim.sources.fixed.lists import Change, ListBook, LooseVertices
+from glshim.sources.fixed.lists import ListBook
+from glshim.sources.fixed.steps import Change, LooseVertices
 from glshim.sources.following.layers import ContentCache
 from glshim.sources.source import Call, Primitive
 from glshim.spec.attributes import BY_NAME

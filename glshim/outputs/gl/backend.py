@@ -30,6 +30,7 @@ from glshim.outputs.gl.frame.canvas import Canvas
 from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.outputs.gl.frame.depth_fill import DepthFill
 from glshim.outputs.gl.frame.frame import Frame, depth_margin
+from glshim.outputs.gl.frame.own_ink import OwnInk
 from glshim.outputs.gl.lines.crossings import Crossings
 from glshim.outputs.gl.lines.legacy import LegacyPen
 from glshim.outputs.gl.lines.pen import Pen
@@ -66,6 +67,7 @@ class Backend:
         self._finder = LineFinder(cache_bytes)
         self._depth = DepthCopy()
         self._canvas = Canvas(device)
+        self.own_ink = OwnInk(device)
         self._textures = Textures()
         self._depth_fill: DepthFill | None = None
         self._runner: Runner | None = None

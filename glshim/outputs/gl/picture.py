@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 from glshim.driver.functions import current_context
 from glshim.driver.objects import context_ended, tidy
+from glshim.errors import RenderError
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
-from glshim.outputs.output import Context, Destination, Given, Output
+from glshim.outputs.output import Context, Destination, Given, Ink, Output
 from glshim.styling.protocol import BackFaces, Layer, Styler
 
 
@@ -43,6 +45,32 @@ class Picture(Output):
 
     def uncover(self) -> None:
         self._cover.uncover()
+
+    def gather_ink(self, ink: Ink, context: Context, *, first: bool) -> bool:
+        try:
+            backend = self._backend(context) if first else self._known()
+            return backend is not None and backend.own_ink.begin(ink)
+        except (RenderError, Lost):
+            return False
+
+    def ink_gathered(self) -> None:
+        backend = self._known()
+        if backend is not None:
+            backend.own_ink.end()
+
+    def lay_ink(
+        self, framebuffer: int, destination: Destination, *, tested: bool, recoloured: bool
+    ) -> None:
+        backend = self._known()
+        if backend is not None:
+            with suppress(Lost):
+                backend.own_ink.lay(
+                    framebuffer, destination, tested=tested, recoloured=recoloured
+                )  # fmt: skip
+
+    def _known(self) -> Backend | None:
+        """The backend of the current context, if one was made."""
+        return self._backends.get(current_context(), (None, None))[1]
 
     def add(
         self, given: Sequence[Given], layer: Layer, destination: Destination, context: Context

@@ -11,7 +11,8 @@ from glshim.driver.ask import integer
 from glshim.model.batch import Wanted
 from glshim.model.lights import MaterialChange
 from glshim.sources.fixed import normals
-from glshim.sources.fixed.lists import Closing, ListBook, LooseVertices, Opening, Step, list_names
+from glshim.sources.fixed.lists import ListBook, list_names
+from glshim.sources.fixed.steps import Closing, LooseVertices, Opening, Step
 from glshim.sources.source import Call
 from glshim.spec.constants import GL_COMPILE, GL_DIFFUSE, GL_LIST_BASE
 from glshim.spec.roles import Role
@@ -79,6 +80,10 @@ class ListCompiler:
         if role is Role.LIST_CALL:
             return list_names(role, args, 0)
         return list_names(role, args, self._base if inside else integer(GL_LIST_BASE))
+
+    def draws_ink(self, role: Role, args: Sequence[Any]) -> bool:
+        """Whether a call of LIST_CALLS draws no polygons: lines, points, text or nothing."""
+        return all(map(self.book.draws_ink, self.names(role, args)))
 
     def left_open(self, names: tuple[int, ...]) -> int | None:
         """The first list that, called, ends inside a primitive that it began."""

@@ -23,7 +23,16 @@ from glshim.notices import say_once
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, transformed
 from glshim.sources.fixed.matrices import matrix_of
-from glshim.sources.fixed.pointers import numbers_at
+from glshim.sources.fixed.steps import (
+    NOBODY_KNOWS,
+    Change,
+    Closing,
+    LooseVertices,
+    Opening,
+    Step,
+    is_drawn,
+    is_no_polygon,
+)
 from glshim.sources.source import Call, Primitive
 from glshim.spec.constants import (
     GL_2_BYTES,
@@ -60,51 +69,6 @@ _BYTES = {GL_2_BYTES: 2, GL_3_BYTES: 3, GL_4_BYTES: 4}
 """Of a name that is spelled out, the greatest first."""
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
-    """A matrix call or a switch, by its name and arguments."""
-
-    name: str
-    args: tuple[Any, ...]
-
-    @classmethod
-    def of(cls, name: str, args: tuple[Any, ...]) -> Change:
-        """With matrices copied: the app may change its array. Of one that cannot be read nothing is
-        left."""
-        call = MATRIX_CALLS.get(name)
-        if call is not None and call.element and len(args) == 1:
-            try:
-                args = (numbers_at(args[0], call.element, 16),)
-            except TypeError as error:
-                if not is_ours(error):
-                    raise
-                args = ()
-        return cls(name, args)
-
-
-@dataclass(frozen=True, slots=True)
-class LooseVertices:
-    """Said outside any glBegin of this list: attributes, which hold on, and vertices, which are
-    legal when it is called inside one."""
-
-    stream: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Opening:
-    """A primitive that the list begins and leaves open."""
-
-    mode: int
-    stream: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Closing:
-    """glEnd of a primitive that the list did not begin."""
-
-
-Step = Primitive | Call | Change | Shape | LooseVertices | Opening | Closing | PolygonBatch
-"""One thing that a list does."""
 ShapePolygons = Callable[[Shape], PolygonBatch | None]
 """Polygons of a shape, found again by key or drawn in feedback mode."""
 
@@ -136,6 +100,8 @@ class ListBook:
         """What batches shall come with; may change between calls of lists."""
         self._programs: dict[int, ListProgram] = {}
         self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
+        self._inks: dict[int, tuple[bool, frozenset[int]]] = {}
+        """By list, whether it draws ink alone, and the lists that this depends on."""
         self.open: ListProgram | None = None
         """The program being compiled."""
         self._name = 0
@@ -165,6 +131,8 @@ class ListBook:
         stale = [at for at, (_, used) in self._resolved.items() if not used.isdisjoint(names)]
         for at in stale:
             del self._resolved[at]
+        for name in [n for n, (_, used) in self._inks.items() if not used.isdisjoint(names)]:
+            del self._inks[name]
         self._varies.clear()
 
     def materials_vary(self, name: int) -> bool:
@@ -199,7 +167,7 @@ class ListBook:
         """What the list says, nested lists included."""
         program = self._programs.get(name)
         if program is None:  # perhaps one that we did not see: it may set the normal
-            yield LooseVertices(normals.UNKNOWN)
+            yield NOBODY_KNOWS
             return
         if depth > _NESTING:
             return
@@ -216,6 +184,15 @@ class ListBook:
         for item in self.items(name):
             found = isinstance(item, Opening) or (found and not isinstance(item, Closing))
         return found
+
+    def draws_ink(self, name: int) -> bool:
+        """Whether the list is known to draw lines, points or text, and no polygons."""
+        found = self._inks.get(name)
+        if found is None:
+            steps = list(self.items(name))
+            ink = all(map(is_no_polygon, steps)) and any(map(is_drawn, steps))
+            found = self._inks[name] = ink, frozenset(self._reach(name))
+        return found[0]
 
     def knows(self, name: int) -> bool:
         """Whether the list was seen being compiled."""

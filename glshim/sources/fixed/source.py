@@ -20,11 +20,11 @@ from glshim.sources.fixed.compiler import ListCompiler
 from glshim.sources.fixed.current import colour, normal_of
 from glshim.sources.fixed.evaluators import evaluator_key
 from glshim.sources.fixed.fetch import VertexFetch
-from glshim.sources.fixed.lists import Opening
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.primitive import OpenPrimitive
 from glshim.sources.fixed.rectangles import rectangle
 from glshim.sources.fixed.shapes import Shapes
+from glshim.sources.fixed.steps import Opening
 from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
 from glshim.sources.state import DrawState
 from glshim.spec.attributes import BY_NAME

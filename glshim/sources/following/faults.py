@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import functools
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from threading import RLock
 from typing import Any, Protocol, TypeVar
 
@@ -17,6 +18,17 @@ _MOST_PLACES, _MOST_IN_A_ROW = 3, 16
 
 class StylingFault(Exception):
     """The styler, or an output, has failed; the cause says how."""
+
+
+@contextmanager
+def styling() -> Iterator[None]:
+    """What fails inside is a `StylingFault`."""
+    try:
+        yield
+    except Exception as error:
+        if not is_ours(error):
+            raise
+        raise StylingFault from error
 
 
 class Faults:

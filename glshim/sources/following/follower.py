@@ -17,10 +17,11 @@ from glshim.model.lights import Materials
 from glshim.notices import say_once
 from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
-from glshim.sources.fixed.lists import Change, Closing, LooseVertices
 from glshim.sources.fixed.materials import material_change
+from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
 from glshim.sources.following.census import Census
-from glshim.sources.following.faults import Faults, StylingFault, contained
+from glshim.sources.following.faults import Faults, contained, styling
+from glshim.sources.following.gathering import is_let_through, lay_ink, mind_ink
 from glshim.sources.following.ground import clear
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
@@ -35,10 +36,12 @@ from glshim.spec.roles import (
     LIST_CALLS,
     OTHER_DRAWS,
     POLYGON_DRAWS,
+    READERS,
+    RENEWALS,
     Role,
 )
-from glshim.spec.shapes import Shape
-from glshim.system.interrupts import Held, is_ours
+from glshim.spec.shapes import Shape, draws_no_polygons
+from glshim.system.interrupts import Held
 
 _REFUSED = frozenset((Role.ARRAY_DRAW, Role.EVALUATOR_MESH))
 """Draws that read the app's memory, or must be made again: with an error GL has made none of it."""
@@ -92,7 +95,7 @@ class Follower:
         self._primitive.scene = scene = self._scenes.current()
         self._primitive.spoilt = False
         if scene is not None:
-            self._open(mode in POLYGON_MODES, scene)
+            self._open(mode in POLYGON_MODES, scene, ink=mode not in POLYGON_MODES)
             scene.fixed.begin(scene.drawing)
 
     @contained
@@ -176,24 +179,24 @@ class Follower:
     @contained
     def before(self, role: Role, name: str, args: tuple[Any, ...]) -> None:
         """Before a call by role."""
-        if role in _RENEWALS:
+        if role in RENEWALS:
             self._scenes.look_here()
         scene = self._scenes.current()
         if scene is None:
             return
         if role in POLYGON_DRAWS:
-            lists = scene.fixed.lists
-            varies = role in LIST_CALLS and lists.materials_vary(role, args)
-            materials = Materials.VARY if varies else Materials.STAY
-            self._open(True, scene, args if role is Role.ARRAY_DRAW else None, materials)
+            self._open_polygons(scene, role, args)
         elif role in OTHER_DRAWS:
-            self._open(False, scene)
+            ink = role is Role.BITMAP or (role is Role.PIXELS and is_let_through())
+            self._open(False, scene, ink=ink)
         elif role is Role.CLEAR or role is Role.CLEAR_BUFFER:
             self._clear(scene, role, args)
         elif role is Role.READ_PIXELS:
-            if number(args, 2) * number(args, 3) > PICK_AREA:  # else it gets the app's colours
+            if number(args, 2) * number(args, 3) > PICK_AREA:
                 self._finish(scene, waits=True)
-        elif role in _READERS:
+            else:  # it gets the app's own colours
+                lay_ink(self._sink, scene, plain=True)
+        elif role in READERS:
             self._finish(scene, waits=role is not Role.TARGET)
         elif role in BUFFER_WRITES:
             if not scene.refused:
@@ -252,6 +255,8 @@ class Follower:
                     self._add(scene, state, drawn)
         elif role in OTHER_DRAWS:
             self._close(scene)
+            if role is Role.BITMAP:
+                fixed.lists.add(Marks())
         elif role in IN_LISTS:
             fixed.lists.add(Change.of(name, args))
         elif role in CONDITIONS:
@@ -287,7 +292,10 @@ class Follower:
         scene = self._scenes.current()
         self.census.latest = ""
         if scene is not None:
-            self._open(True, scene)
+            drawing = draws_no_polygons(name)
+            if drawing:
+                scene.fixed.lists.add(Marks())
+            self._open(not drawing, scene, ink=drawing)
 
     @contained
     def after_shape(self, shape: Shape | None) -> None:
@@ -306,46 +314,63 @@ class Follower:
 
     # -- draws and layers ------------------------------------------------------------------------
 
+    def _open_polygons(self, scene: Scene, role: Role, args: tuple[Any, ...]) -> None:
+        """A draw of POLYGON_DRAWS begins. Some draw lines alone."""
+        if role is Role.ARRAY_DRAW:
+            polygons = number(args, 0) in POLYGON_MODES
+            self._open(polygons, scene, ink=not polygons)
+        elif role in LIST_CALLS and scene.fixed.lists.draws_ink(role, args):
+            self._open(False, scene, ink=True, listed=True)
+        else:
+            varies = role in LIST_CALLS and scene.fixed.lists.materials_vary(role, args)
+            self._open(True, scene, Materials.VARY if varies else Materials.STAY)
+
     def _open(
-        self, polygons: bool, scene: Scene, arrays: tuple[Any, ...] | None = None,
-        materials: Materials = Materials.STAY,
+        self, polygons: bool, scene: Scene, materials: Materials = Materials.STAY, *,
+        ink: bool = False, listed: bool = False,
     ) -> None:
-        """A draw begins: the layer may end, and its polygons may carry lines. arrays: arguments of
-        an array draw. materials: what they do during the draw."""
+        """A draw begins: the layer may end, and its polygons may carry lines. materials: what
+        they do during the draw. ink: it draws lines or text. listed: a display list does."""
         scene.drawing = None
         refused = scene.refused or scene.unpainted
         if refused:
             self.census.refused.add(refused)
         if self._idle or refused or scene.fixed.lists.only_compiles:
             return
-        layer = scene.layer
+        layer, gathers = scene.layer, self._sink.gathers_ink
         if not polygons:
             self.census.others += 1
-            if not layer.pending:
+            if not layer.pending and not gathers:
                 return
         state = scene.reader.read()
         compiling = scene.fixed.lists.is_open
         if layer.pending and not compiling and (layer.overdue or layer.ends_with(state)):
             self._end_layer(scene, waits=layer.same_target(state))
+        obstacle = scene.obstacle(state)
+        carries = polygons and not obstacle and layer.carries(state)
+        carries = carries and not scene.condition.discards
+        if gathers and not compiling:
+            mind_ink(
+                self._sink, scene, state, ink and not obstacle, carries=carries, listed=listed
+            )  # fmt: skip
         if not polygons:
             return
-        obstacle = scene.obstacle(state)
-        if obstacle:
-            say_once(f"unstyled: polygons drawn while {obstacle}")
-        elif layer.carries(state) and not scene.condition.discards:
+        if carries:
             scene.drawing = state
             if not compiling:
                 if state.camera.lit and layer.lighting is None:
                     layer.lighting = lighting()
                 self._sink.cover(materials)
             return
-        if arrays is None or number(arrays, 0) in POLYGON_MODES:
-            self.census.passes(obstacle or layer.shortfall(state))
-        else:
-            self.census.others += 1
+        if obstacle:
+            say_once(f"unstyled: polygons drawn while {obstacle}")
+        self.census.passes(obstacle or layer.shortfall(state))
 
     def _close(self, scene: Scene) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""
+        if scene.ink.is_drawn:
+            scene.ink.is_drawn = False
+            self._sink.ink_gathered()
         state = scene.drawing
         if state is not None:
             self._sink.uncover()
@@ -372,17 +397,14 @@ class Follower:
             self.census.refused.add(UNCOUNTED)
             say_once(f"unstyled: {UNCOUNTED}")
         elif layer.items:
-            try:
-                with Held(), scene.condition.lifted():
-                    self._sink.layer_ends(layer, scene)
-            except Exception as error:
-                if not is_ours(error):
-                    raise
-                raise StylingFault from error
+            with styling(), Held(), scene.condition.lifted():
+                self._sink.layer_ends(layer, scene)
+        lay_ink(self._sink, scene)
 
     def _finish(self, scene: Scene, *, waits: bool = False) -> None:
         if scene.layer.pending and not scene.fixed.lists.is_open:
             self._end_layer(scene, waits=waits)
+        lay_ink(self._sink, scene)
 
     @contained
     def finish_frame(self) -> None:
@@ -395,9 +417,3 @@ class Follower:
             scene.layer.end_frame()
             scene.fixed.tick()
             self._scenes.frame_ends()
-
-
-_READERS = frozenset((Role.READBACK, Role.READ_IMAGE, Role.TARGET))
-"""They read the picture, or turn to another one."""
-_RENEWALS = frozenset((Role.CLEAR, Role.CLEAR_BUFFER, Role.TARGET, Role.LIST_OPEN))
-"""When a new context at an old one's address is looked out for: a program that draws comes by."""

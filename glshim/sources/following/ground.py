@@ -103,6 +103,10 @@ class Ground:
         """Nothing lies anywhere."""
         self._boxes.clear()
 
+    def has(self, framebuffer: int) -> bool:
+        """Whether something lies in a framebuffer."""
+        return bool(self._boxes.get(framebuffer))
+
     def touches(self, framebuffer: int, boxes: Iterable[Box]) -> bool:
         """Whether something lies in some of these boxes."""
         own = self._boxes.get(framebuffer, ())

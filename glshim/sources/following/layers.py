@@ -149,6 +149,14 @@ class LayerCollector:
         """Whether a draw in this state goes where the layer was drawn."""
         return self._last is not None and state.framebuffer == self._last.framebuffer
 
+    def lies_over(self, state: DrawState) -> bool:
+        """Whether earlier layers of the frame left pictures where a draw in this state goes."""
+        return self._pictures.touches(state.framebuffer, (state.camera.viewport,))
+
+    def has_pictures(self, framebuffer: int) -> bool:
+        """Whether earlier layers of the frame left pictures in a framebuffer."""
+        return self._pictures.has(framebuffer)
+
     def _is_hud(self, state: DrawState) -> bool:
         """A flat projection over a picture that has depth; the views of a CAD program that stand
         side by side are none. Where depth has been cleared for it, or is yet to come, it is drawn

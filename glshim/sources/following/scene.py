@@ -17,6 +17,7 @@ from glshim.sources.fixed.shapes import Shapes
 from glshim.sources.fixed.source import FixedFunction
 from glshim.sources.following.condition import Condition
 from glshim.sources.following.layers import LayerCollector
+from glshim.sources.following.ownink import OwnInk
 from glshim.sources.programs.source import Programs
 from glshim.sources.source import Source
 from glshim.sources.state import DrawState, StateReader
@@ -49,6 +50,7 @@ class Scene:
         self.drawing: DrawState | None = None
         """State of the draw that is under way, if its polygons carry lines."""
         self.condition = Condition()
+        self.ink = OwnInk()
         self._marker = 0
         self._is_there = witness()
 

@@ -6,7 +6,9 @@ from typing import Protocol
 
 from glshim.model.lights import MaterialChange, Materials
 from glshim.sources.following.layers import FinishedLayer
+from glshim.sources.following.ownink import Run
 from glshim.sources.following.scene import Scene
+from glshim.sources.state import DrawState
 
 
 class LayerSink(Protocol):
@@ -21,6 +23,21 @@ class LayerSink(Protocol):
 
     def uncover(self) -> None:
         """They have been drawn."""
+
+    @property
+    def gathers_ink(self) -> bool:
+        """Whether the program's own ink is gathered apart: `gather_ink`, `lay_ink`."""
+
+    def gather_ink(self, state: DrawState, scene: Scene, *, first: bool, listed: bool) -> bool:
+        """The app is about to draw lines or text, which shall not go into its picture; whether that
+        can be had. first: nothing waits to be laid. listed: a display list draws them, which may
+        change what it is drawn with."""
+
+    def ink_gathered(self) -> None:
+        """It has drawn them."""
+
+    def lay_ink(self, run: Run, scene: Scene, *, recoloured: bool) -> None:
+        """What was gathered goes into the picture. recoloured: so that it can be read there."""
 
     def layer_ends(self, layer: FinishedLayer, scene: Scene) -> None:
         """The depth of a layer with polygons is final, in the current context's scene."""

@@ -78,17 +78,21 @@ class RenderTarget:
     """
 
     def __init__(
-        self, texture: int = 0, buffers: Sequence[int] = (), *, unit: int = 0, samples: int = 0
+        self, texture: int = 0, buffers: Sequence[int] = (), *, unit: int = 0, samples: int = 0,
+        deep: int | None = None,
     ) -> None:
         """texture: the format of an image that shaders look up pixel for pixel, at a texture unit;
         0: there is none. buffers: formats of images that are only drawn to, of so many samples a
-        pixel (0: plain ones)."""
+        pixel (0: plain ones). deep: the unit of a second texture, its depth."""
         self._format, self._buffers = texture, tuple(buffers)
         self._unit, self._samples = unit, samples
         self.name = 0
         """Of the framebuffer object."""
         self.texture = 0
         """Name."""
+        self.depth = 0
+        """Name of the texture of its depth."""
+        self._deep = deep
         self.size = (0, 0)
         """Pixels."""
         self._renderbuffers: list[int] = []
@@ -103,11 +107,16 @@ class RenderTarget:
         if not self.name:
             self.name = made(FRAMEBUFFER)
             self.texture = made(TEXTURE) if self._format else 0
+            self.depth = 0 if self._deep is None else made(TEXTURE)
             self._renderbuffers = [made(RENDERBUFFER) for _ in self._buffers]
         size = max(width, self.size[0]), max(height, self.size[1])
         self.bind()
         if self._format:
-            self._attach_texture(size)
+            self.bind_texture()
+            self._attach_texture(self.texture, self._format, size)
+        if self._deep is not None:
+            self.bind_depth()
+            self._attach_texture(self.depth, GL_DEPTH_COMPONENT24, size)
         for name, kind in zip(self._renderbuffers, self._buffers, strict=True):
             self._attach_buffer(name, kind, size)
         if not any(kind in _COLOURS for kind in (self._format, *self._buffers)):
@@ -126,25 +135,30 @@ class RenderTarget:
         gl.glActiveTexture(GL_TEXTURE0 + self._unit)
         gl.glBindTexture(GL_TEXTURE_2D, self.texture)
 
+    def bind_depth(self) -> None:
+        """Let shaders look its depth up, at the unit of that."""
+        assert self._deep is not None
+        gl.glActiveTexture(GL_TEXTURE0 + self._deep)
+        gl.glBindTexture(GL_TEXTURE_2D, self.depth)
+
     def release(self) -> None:
         """Delete all of it. In its context."""
         if self.name:
             delete(FRAMEBUFFER, (self.name,))
-            delete(TEXTURE, (self.texture,))
+            delete(TEXTURE, (self.texture, self.depth))
             delete(RENDERBUFFER, self._renderbuffers)
-        self.name = self.texture = 0
+        self.name = self.texture = self.depth = 0
         self._renderbuffers = []
         self.size = (0, 0)
 
-    def _attach_texture(self, size: tuple[int, int]) -> None:
-        self.bind_texture()
+    def _attach_texture(self, name: int, kind: int, size: tuple[int, int]) -> None:
+        """The texture that is bound."""
         gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
-        layout = _LAYOUTS[self._format]
-        gl.glTexImage2D(GL_TEXTURE_2D, 0, self._format, *size, 0, *layout, None)
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, kind, *size, 0, *_LAYOUTS[kind], None)
         for filtering in (GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER):
             gl.glTexParameteri(GL_TEXTURE_2D, filtering, GL_NEAREST)
-        at = _ATTACHMENTS[self._format]
-        gl.glFramebufferTexture2D(GL_FRAMEBUFFER, at, GL_TEXTURE_2D, self.texture, 0)
+        at = _ATTACHMENTS[kind]
+        gl.glFramebufferTexture2D(GL_FRAMEBUFFER, at, GL_TEXTURE_2D, name, 0)
 
     def _attach_buffer(self, name: int, kind: int, size: tuple[int, int]) -> None:
         gl.glBindRenderbuffer(GL_RENDERBUFFER, name)

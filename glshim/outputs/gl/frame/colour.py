@@ -32,6 +32,12 @@ class ColourCopy:
 
     def __init__(self) -> None:
         self._targets = {kind: RenderTarget(kind, unit=UNIT) for kind in (GL_RGB8, GL_RGBA8)}
+        self._size = 1, 1
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Pixels of the texture."""
+        return self._size
 
     def take(self, framebuffer: int, box: Box) -> None:
         """Copy the colour of a framebuffer in a box and bind the texture at `UNIT`. The binding of
@@ -42,6 +48,7 @@ class ColourCopy:
         shown = integer(GL_DRAW_BUFFER)
         target = self._targets[GL_RGBA8 if integer(GL_ALPHA_BITS) else GL_RGB8]
         target.fit(x + width, y + height)
+        self._size = target.size
         target.bind_texture()
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer)
         kept = integer(GL_READ_BUFFER)
