@@ -18,7 +18,7 @@ from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.driver.ask import reals
 from glshim.errors import RenderError
-from glshim.model.batch import Wanted
+from glshim.model.boxes import Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
@@ -33,6 +33,7 @@ from glshim.sources.following.silence import Silence
 from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.spec.roles import Role
+from glshim.styling.asking import wanted
 from glshim.styling.enlarging import enlarged
 from glshim.styling.inks import inks_of
 from glshim.styling.protocol import Layer, Pass, Styler
@@ -108,7 +109,7 @@ class Pipeline:
         self.gathers_ink = styler is not None and styler.gathers_ink
         for output in self._outputs:
             output.set_styler(styler)
-        self._follower.restyle(_wanted(styler) if styler is not None else None)
+        self._follower.restyle(wanted(styler) if styler is not None else None)
 
     def use_style_next(self, styler: Styler | None) -> None:
         """From the next frame on. Calls no GL: any thread may say so at any time."""
@@ -126,6 +127,15 @@ class Pipeline:
         self._enlarged = enlarged(self.styler, scale) if self.styler is not None else None
 
     # -- layer, styler, outputs: what the follower hands on --------------------------------------
+
+    @property
+    def has_background(self) -> bool:
+        """Whether the styler's background goes below what the app draws."""
+        return self.styler is not None and self.styler.background is not None
+
+    def lay_background(self, places: Unbacked) -> bool:
+        """Before the app draws in places of its framebuffer."""
+        return all([output.lay_background(places) for output in self._outputs])
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
@@ -172,7 +182,7 @@ class Pipeline:
         self._silence.layer_ends()
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
-            finished.lighting, self._destination.scale, finished.bare,
+            finished.lighting, self._destination.scale, finished.bare, finished.backed,
         )  # fmt: skip
         try:
             self._put_out(list(self._enlarged.draws(layer)), layer, scene)
@@ -266,13 +276,6 @@ class Pipeline:
     @property
     def _name(self) -> str:
         return self.styler.name if self.styler is not None else "none"
-
-
-def _wanted(styler: Styler) -> Wanted:
-    """What its polygons shall come with."""
-    return Wanted(
-        colours=styler.wants_colours, normals=styler.wants_normals, lights=styler.wants_lights
-    )
 
 
 def _count(draw: Given) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 Box = tuple[int, int, int, int]
 """x, y, width, height in pixels, origin at the lower left."""
@@ -15,6 +16,16 @@ def overlap(a: Box, b: Box) -> bool:
     across = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
     up = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
     return across > SLIVER and up > SLIVER
+
+
+@dataclass(frozen=True, slots=True)
+class Unbacked:
+    """Where a background is to be laid."""
+
+    boxes: tuple[Box, ...]
+    free_depth: bool
+    """What has depth there was drawn on the background, and stays; else it is an older picture's.
+    """
 
 
 def covers(outer: Box, inner: Box) -> bool:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from glshim.model.boxes import Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
@@ -72,6 +73,11 @@ class Output:
 
     def set_styler(self, styler: Styler | None) -> None:
         """What comes from now on is of this styler, None: of nobody."""
+
+    def lay_background(self, places: Unbacked) -> bool:
+        """The app has drawn nothing solid yet in places of the framebuffer that is bound: lay the
+        styler's background there. Whether that was done."""
+        return False
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """The app is about to draw polygons that carry lines, outside primitives. materials: what

@@ -54,6 +54,10 @@ class Composite(Styler):
     def gathers_ink(self) -> bool:
         return self.parts[0].gathers_ink
 
+    @property
+    def background(self) -> Colour | None:
+        return self.parts[0].background
+
     def draws(self, layer: Layer) -> Iterable[_Draw]:
         """Surfaces, then lines; each part in coats of its own."""
         first, *others = (_parted(part, layer, k) for k, part in enumerate(self.parts))

@@ -83,6 +83,14 @@ class Styler:
         own = getattr(self, "own_ink", "off")
         return own == "on" or (own == "auto" and getattr(self, "paper", "app") != "app")
 
+    @property
+    def background(self) -> Colour | None:
+        """The colour that the background has before the program draws anything solid in front of
+        it, so that what the program blends with it, or draws without depth, comes out as on paper;
+        None: as the program has it. For a style with an option `paper`, it is that option."""
+        paper = getattr(self, "paper", None)
+        return paper if isinstance(paper, tuple) else None
+
     @abstractmethod
     def draws(self, layer: Layer) -> Iterable[Lines | Pass | BackFaces]:
         """What to add to a finished layer. Pure: equal layers give equal draws."""

@@ -63,6 +63,11 @@ class Layer:
     """If the layer lies over others: the parts of its views in which there is nothing below,
     because the program has cleared them or drawn nothing there. Pixels of the framebuffer."""
 
+    backed: bool = False
+    """The background of its views (of a layer over others: of `bare`) was laid in the style's own
+    colour before the program drew on it (`glshim.styling.protocol.Styler.background`): what differs
+    from that is drawn, with depth or without."""
+
     @cached_property
     def bodies(self) -> tuple[Body, ...]:
         """The batches by camera, in the order of their first batches."""

@@ -21,6 +21,9 @@ from ..shared.strokes import inked
 from ..shared.tones import tone_passes
 
 _WHITE: Colour = (1.0, 1.0, 1.0)
+_PALE = 0.35
+"""Of its own colours what scenery without depth keeps, which has no lines to be known by, beside
+surfaces in one colour."""
 
 
 @takes_old_names
@@ -55,7 +58,10 @@ class HiddenLine(FeatureLines):
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper behind the polygons, and lines."""
-        yield from tone_passes("app", self.paper, self.ink, layer)
+        yield from tone_passes(
+            "app", self.paper, self.ink, layer,
+            scenery=1.0 if isinstance(self.fill, str) else _PALE,
+        )  # fmt: skip
         # Every side folds by 0 degrees or more one way or the other.
         least = 0.0 if self.edges == "all" else self.crease_angle
         yield from inked(

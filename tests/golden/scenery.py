@@ -129,12 +129,122 @@ def chequers_of(shade):
     return lambda: chequers(shade)
 
 
+GRASS, HILLS, ROAD = (0.3, 0.55, 0.2), (0.45, 0.5, 0.4), (0.35, 0.35, 0.38)
+
+
+def road(depth_test):
+    """Grass and hills lie behind all, without depth; the road and a house are solid."""
+    look((0.0, 5.0, 12.0), (0.0, 1.0, 0.0))
+    glDepthMask(GL_FALSE)
+    (glEnable if depth_test else glDisable)(GL_DEPTH_TEST)
+    glColor3f(*HILLS)
+    glBegin(GL_TRIANGLES)
+    for x in (-90.0, -20.0, 50.0):
+        for dx, y in ((-40.0, 0.0), (40.0, 0.0), (0.0, 18.0)):
+            glVertex3f(x + dx, y, -100.0)
+    glEnd()
+    glColor3f(*GRASS)
+    glBegin(GL_QUADS)
+    plane(-200.0, -100.0, 400.0, 120.0, -0.02)
+    glEnd()
+    glDepthMask(GL_TRUE)
+    glEnable(GL_DEPTH_TEST)
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glColor3f(*ROAD)
+    glNormal3f(0.0, 1.0, 0.0)
+    glBegin(GL_QUADS)
+    plane(-2.0, -90.0, 4.0, 110.0)
+    glEnd()
+    glColor3f(0.8, 0.4, 0.3)
+    box((-4.5, 1.0, -1.0), 1.0)
+
+
+def box(middle, size):
+    glBegin(GL_QUADS)
+    for axis in range(3):
+        for side in (-1, 1):
+            normal = [0.0, 0.0, 0.0]
+            normal[axis] = side
+            glNormal3f(*normal)
+            for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))[::side]:
+                point = [0.0, 0.0, 0.0]
+                point[axis], point[(axis + 1) % 3], point[(axis + 2) % 3] = side, a, b
+                glVertex3f(*(m + size * p for m, p in zip(middle, point, strict=True)))
+    glEnd()
+
+
+def road_without_depth_writes():
+    road(depth_test=True)
+
+
+def road_without_depth_test():
+    road(depth_test=False)
+
+
+def blended():
+    """On black: a faint net, a pane of glass without depth, and a box behind both."""
+    look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glColor3f(0.8, 0.4, 0.3)
+    box((-1.2, 0.0, -1.0), 1.0)
+    glDisable(GL_LIGHTING)
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+    glDepthMask(GL_FALSE)
+    glColor4f(1.0, 1.0, 1.0, 0.2)
+    glBegin(GL_QUADS)
+    for k in range(9):  # broad lines, as polygons
+        plane(0.5 * k - 2.0, -2.0, 0.08, 4.0, -1.2)
+    glEnd()
+    glColor4f(0.2, 0.5, 0.9, 0.4)
+    glBegin(GL_QUADS)
+    for x, y in ((-0.8, -1.0), (1.8, -1.0), (1.8, 1.0), (-0.8, 1.0)):
+        glVertex3f(x, y, 1.5)
+    glEnd()
+
+
+def flat():
+    glMatrixMode(GL_PROJECTION)
+    glLoadIdentity()
+    glMatrixMode(GL_MODELVIEW)
+    glLoadIdentity()
+    glDisable(GL_DEPTH_TEST)
+
+
+def menu():
+    look((0.0, 2.0, 7.0))
+    flat()
+    glColor3f(0.7, 0.2, 0.2)
+    glRectf(-0.5, -0.3, 0.5, 0.3)
+
+
+def before_a_backdrop():
+    look((0.0, 2.0, 7.0))
+    glPushMatrix()
+    flat()
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glColor3f(0.1, 0.2, 0.4 + 0.3 * y)
+        glVertex2f(x, y)
+    glEnd()
+    glEnable(GL_DEPTH_TEST)
+    glMatrixMode(GL_PROJECTION)
+    gluPerspective(50.0, WIDTH / HEIGHT, 0.1, 3000.0)
+    glMatrixMode(GL_MODELVIEW)
+    glPopMatrix()
+    light((2.0, 5.0, 4.0, 0.0))
+    box((0.0, 0.0, 0.0), 1.0)
+
+
 SCENES = {
     function.__name__: function
     for function in (
         floor_with_gls_normal, floor_with_its_own, chequers_of_material, chequers_of_colour,
         chequers_of_material_in_a_list, chequers_of_colour_in_a_list,
-        chequers_in_a_list_that_says_how,
+        chequers_in_a_list_that_says_how, road_without_depth_writes, road_without_depth_test,
+        blended, menu, before_a_backdrop,
     )
 }  # fmt: skip
 

@@ -54,3 +54,36 @@ def test_a_chequered_floor_keeps_its_cheques(way: str, style: str) -> None:
     found, plain = shown(scene, style), shown("chequers_of_colour", style)
     assert len(np.unique(plain[: HEIGHT // 2].reshape(-1, 3), axis=0)) > 2
     assert np.abs(found - plain).max() <= 1
+
+
+PAPERS = ("technical", "sketch", "hiddenline", "blueprint")
+
+
+@pytest.mark.parametrize("style", PAPERS)
+@pytest.mark.parametrize("way", ["writes", "test"])
+def test_what_has_no_depth_does_not_vanish_on_paper(way: str, style: str) -> None:
+    """A road does not float: grass lies about it, in the very first frame."""
+    found = shown(f"road_without_depth_{way}", style)
+    grass, sky = found[40:60, 360:390], found[285:, 90:110]
+    assert np.abs(grass.mean(axis=(0, 1)) - sky.mean(axis=(0, 1))).max() > 12
+
+
+def test_what_is_blended_is_blended_with_the_paper() -> None:
+    """A pane on black, which is dark there, covers as much of white paper."""
+    plain, found = shown("blended"), shown("blended", "technical")
+    pane = (slice(110, 180), slice(230, 300))
+    shade = np.array((0.2, 0.5, 0.9))
+    assert np.abs(plain[pane].max(axis=(0, 1)) - 255 * 0.4 * shade).max() < 60
+    wanted = 255 * (0.4 * shade + 0.6)
+    assert np.abs(np.median(found[pane], axis=(0, 1)) - wanted).max() < 8
+
+
+def test_a_picture_without_solids_keeps_its_background() -> None:
+    """A menu on its own ground: paper comes with what it lies behind."""
+    assert (shown("menu", "technical") == shown("menu")).all()
+
+
+def test_a_backdrop_is_no_scenery() -> None:
+    """Colours across the window, drawn flat, are the background that paper stands for."""
+    found = shown("before_a_backdrop", "technical")
+    assert found[280:, :40].min() > 240

@@ -112,9 +112,9 @@ class FixedPen:
         if not integer(GL_DEPTH_BITS):
             say_once("this window has no depth buffer: back faces cannot be drawn as lines in it")
             return
-        with Guard(), _matrices():
+        with Guard(), matrices_kept():
             greater = integer(GL_DEPTH_FUNC) in (GL_GREATER, GL_GEQUAL)
-            _plainest()
+            plainest()
             gl.glEnable(GL_DEPTH_TEST)
             gl.glDepthFunc(GL_GEQUAL if greater else GL_LEQUAL)
             self._fill(found, greater)
@@ -178,7 +178,7 @@ class FixedPen:
         return known
 
 
-def _plainest() -> None:
+def plainest() -> None:
     """Flat colours, the arrays of what is drawn now, and no texture and no program."""
     plainly()
     number = version() or (1, 1)
@@ -200,7 +200,7 @@ def _plainest() -> None:
 
 
 @contextmanager
-def _matrices() -> Iterator[None]:
+def matrices_kept() -> Iterator[None]:
     """Put both matrices back: they are in no attribute group, and their stacks may be full."""
     kept = []
     for mode, name in _MATRICES:

@@ -8,14 +8,16 @@ from contextlib import suppress
 from glshim.driver.functions import current_context
 from glshim.driver.objects import context_ended, tidy
 from glshim.errors import RenderError
+from glshim.model.boxes import Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
+from glshim.outputs.gl.background import lay
 from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.output import Context, Destination, Given, Ink, Output
-from glshim.styling.protocol import BackFaces, Layer, Styler
+from glshim.styling.protocol import BackFaces, Colour, Layer, Styler
 
 
 class Picture(Output):
@@ -24,6 +26,7 @@ class Picture(Output):
 
     def __init__(self) -> None:
         self._cover = Cover()
+        self._background: Colour | None = None
         self._fixed = FixedPen()
         self._backends: dict[int, tuple[Context, Backend]] = {}
         """By the current context's handle, with the context that each was made for, which knows
@@ -31,6 +34,10 @@ class Picture(Output):
 
     def set_styler(self, styler: Styler | None) -> None:
         self._cover.set_surface(styler.surface if styler is not None else "app")
+        self._background = styler.background if styler is not None else None
+
+    def lay_background(self, places: Unbacked) -> bool:
+        return self._background is not None and lay(places, self._background)
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         try:

@@ -9,8 +9,6 @@ from typing import Any
 from glshim.bindings.base import PrimitiveStream
 from glshim.driver.arguments import name as name_among
 from glshim.driver.arguments import number
-from glshim.driver.ask import is_enabled
-from glshim.driver.functions import gl
 from glshim.driver.queries import UNCOUNTED, counting
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.model.lights import Materials
@@ -19,7 +17,9 @@ from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
+from glshim.sources.following.behind import lay_behind
 from glshim.sources.following.census import Census
+from glshim.sources.following.changing import cover_anew
 from glshim.sources.following.faults import Faults, contained, styling
 from glshim.sources.following.gathering import is_let_through, lay_ink, mind_ink
 from glshim.sources.following.ground import clear
@@ -27,7 +27,6 @@ from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
-from glshim.spec.constants import GL_COLOR_MATERIAL, GL_LIGHTING
 from glshim.spec.pixels import PICK_AREA
 from glshim.spec.roles import (
     BUFFER_WRITES,
@@ -145,18 +144,8 @@ class Follower:
         """A primitive changes its materials from vertex to vertex: it is begun anew, with nothing
         of it drawn, so that its surface can be one that follows them."""
         scene = self._primitive.scene
-        if scene is None or scene.drawing is None or scene.fixed.lists.is_open:
-            return
-        if not self._stream.unsaid():
-            return
-        with Held():
-            gl.glEnd()
-            try:
-                if is_enabled(GL_LIGHTING) and not is_enabled(GL_COLOR_MATERIAL):
-                    self._sink.uncover()
-                    self._sink.cover(Materials.SAID)
-            finally:
-                gl.glBegin(self._stream.mode)
+        if scene is not None and scene.drawing is not None:
+            cover_anew(self._sink, self._stream, scene)
 
     @contained
     def inside(
@@ -340,7 +329,8 @@ class Follower:
         layer, gathers = scene.layer, self._sink.gathers_ink
         if not polygons:
             self.census.others += 1
-            if not layer.pending and not gathers:
+            backs = self._sink.has_background and layer.backing.awaited
+            if not (layer.pending or gathers or backs):
                 return
         state = scene.reader.read()
         compiling = scene.fixed.lists.is_open
@@ -349,6 +339,8 @@ class Follower:
         obstacle = scene.obstacle(state)
         carries = polygons and not obstacle and layer.carries(state)
         carries = carries and not scene.condition.discards
+        if self._sink.has_background and not compiling:
+            lay_behind(self._sink, scene, state, carries=carries, polygons=polygons)
         if gathers and not compiling:
             mind_ink(
                 self._sink, scene, state, ink and not obstacle, carries=carries, listed=listed

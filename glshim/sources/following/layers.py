@@ -11,12 +11,13 @@ from dataclasses import dataclass, replace
 from itertools import count
 
 from glshim.model.batch import POSITIONS, Item, PolygonBatch, Wanted
-from glshim.model.boxes import Box, covers, overlap
+from glshim.model.boxes import Box, Unbacked, covers, overlap
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
 from glshim.model.lights import Lighting
 from glshim.sources.fixed.immediate import assemble_many
 from glshim.sources.following import census
+from glshim.sources.following.backing import Backing
 from glshim.sources.following.ground import Clear, Ground
 from glshim.sources.source import Polygons, Primitive
 from glshim.sources.state import DrawState
@@ -86,6 +87,8 @@ class FinishedLayer:
     """The depth buffer held nothing there when it began."""
     lighting: Lighting | None
     """The lights when the first lit polygons of the layer were drawn."""
+    backed: bool = False
+    """The style's background was laid before all that is drawn there."""
 
 
 class LayerCollector:
@@ -99,6 +102,9 @@ class LayerCollector:
         self._last: DrawState | None = None
         self._pictures, self._depths = Ground(), Ground()
         """Of earlier layers of the frame."""
+        self.backing = Backing()
+        self._backed: View | None = None
+        """The view that was looked at last."""
         self._deep: set[View] = set()
         """Views with depth that is there."""
         self._solid: dict[tuple[View, bytes], int] = {}
@@ -154,8 +160,9 @@ class LayerCollector:
         return self._pictures.touches(state.framebuffer, (state.camera.viewport,))
 
     def has_pictures(self, framebuffer: int) -> bool:
-        """Whether earlier layers of the frame left pictures in a framebuffer."""
-        return self._pictures.has(framebuffer)
+        """Whether earlier layers of the frame left pictures in a framebuffer, or the style's
+        background lies there."""
+        return self._pictures.has(framebuffer) or self.backing.lies_in(framebuffer)
 
     def _is_hud(self, state: DrawState) -> bool:
         """A flat projection over a picture that has depth; the views of a CAD program that stand
@@ -178,7 +185,9 @@ class LayerCollector:
         """The program has cleared something."""
         if clear.blank:
             self._pictures.remove(clear.framebuffer, clear.box)
+            self.backing.cleared(clear.framebuffer, clear.box)
         if clear.depth:
+            self.backing.free_depth |= clear.box is None
             self._depths.remove(clear.framebuffer, clear.box)
             self._deep = {
                 (at, view) for at, view in self._deep
@@ -189,9 +198,24 @@ class LayerCollector:
         """What is drawn now is another picture."""
         self._pictures.clear()
         self._depths.clear()
+        self.backing.end_frame()
         self._deep.clear()
         self._solid = {key: at for key, at in self._solid.items() if at == self._frame}
         self._frame += 1
+
+    def unbacked(self, state: DrawState, *, carries: bool, polygons: bool) -> Unbacked | None:
+        """Where the style's background is to be laid before a draw in this state: in its view,
+        where nothing lies yet but what the program has behind it all. carries: it is polygons of a
+        layer; polygons: any. Flat pictures without a layer are backdrops, menus and HUDs."""
+        view = state.framebuffer, state.camera.viewport
+        if view == self._backed and not self.backing.awaited:
+            return None
+        if not carries and (state.flat or not state.rendered or not self.backing.fits(polygons)):
+            return None
+        self._backed = view
+        free = self._pictures.free(state.framebuffer, (state.camera.viewport,))
+        missing = self.backing.missing(state.framebuffer, free)
+        return Unbacked(tuple(missing), self.backing.free_depth) if missing else None
 
     def add(self, state: DrawState, polygons: Polygons, camera: Camera) -> None:
         """Polygons drawn in this state and seen by a camera: of a primitive the state's."""
@@ -226,11 +250,13 @@ class LayerCollector:
         with_corners = tuple(item for item in items if len(item[0].corners))
         views = tuple({camera.viewport: True for _, camera in items})
         at = self._last.framebuffer if self._last is not None else 0
-        over = self._pictures.touches(at, views)
+        over, free = self._pictures.touches(at, views), self._pictures.free(at, views)
         finished = FinishedLayer(
-            with_corners, over, tuple(self._pictures.free(at, views)) if over else (),
+            with_corners, over, tuple(free) if over else (),
             not self._depths.touches(at, views), self.lighting,
+            not self.backing.missing(at, free),
         )  # fmt: skip
+        self.backing.used = True
         self._pictures.add(at, views)
         self._depths.add(at, views)
         self._primitives, self._batches, self._last = {}, [], None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from glshim.model.boxes import Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.ownink import Run
@@ -13,6 +14,13 @@ from glshim.sources.state import DrawState
 
 class LayerSink(Protocol):
     """Where layers go, and what must be known on the way."""
+
+    @property
+    def has_background(self) -> bool:
+        """Whether the background shall be laid before the app draws on it."""
+
+    def lay_background(self, places: Unbacked) -> bool:
+        """Lay it in places of the framebuffer that is bound. Whether that was possible."""
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """Polygons that carry lines are about to be drawn by the app. materials: what

@@ -66,7 +66,8 @@ def over_windows(
         if screens:
             yield Pass(
                 tuple(screens), shader, "screen", state=_STATE,
-                uniforms={**uniforms, "behind": int(behind)}, image=grain(), coat=coat,
+                uniforms={**uniforms, "behind": int(behind), "backed": int(layer.backed)},
+                image=grain(), coat=coat,
             )  # fmt: skip
 
 
@@ -85,16 +86,19 @@ def _parted(
     return free, rest
 
 
-def tone_passes(tone: str, paper: str | Colour, ink: Colour, layer: Layer) -> Iterator[Pass]:
+def tone_passes(
+    tone: str, paper: str | Colour, ink: Colour, layer: Layer, *, scenery: float = 1.0
+) -> Iterator[Pass]:
     """One pass over every viewport, unless all stays as the app drew it. tone: ``app`` or one of
-    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand.
+    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand; scenery:
+    share of its own colours that what has no depth keeps under ``app``.
 
     A layer has no paper of its own where it lies over another, and no tone where it shares that
     one's depth: that has laid the surfaces in."""
     if tone == "app" and paper == "app":
         return
     uniforms: dict[str, Uniform] = {
-        "paper": WHITE if isinstance(paper, str) else paper, "ink": ink,
+        "paper": WHITE if isinstance(paper, str) else paper, "ink": ink, "scenery": scenery,
     }  # fmt: skip
     yield from over_windows(
         _SHADERS[tone], layer, uniforms, _UNDER,

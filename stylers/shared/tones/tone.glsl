@@ -7,15 +7,25 @@ uniform sampler2D app_colour;
 uniform sampler2D stroke;  // the paper: tooth, cloud, other cloud
 uniform vec3 paper;
 uniform int behind;        // 1: paper is seen where no surface is
+uniform int backed;        // 1: the app has drawn on a background of the paper's colour
 uniform vec3 ink;
 
-// Whether something was drawn there: nearer than the far plane.
-bool surface(vec2 place) {
-    return finished(place) < max(away, 0.0);
-}
+const float ALIKE = 4.5 / 255.0;  // of a channel: what rounding makes of one colour
 
 vec3 shown(vec2 place) {
     return texelFetch(app_colour, ivec2(clamp(place, port.xy, port.zw)), 0).rgb;
+}
+
+// Whether something with depth was drawn there: nearer than the far plane.
+bool solid(vec2 place) {
+    return finished(place) < max(away, 0.0);
+}
+
+// Whether something was drawn there, be it scenery without depth.
+bool surface(vec2 place) {
+    if (solid(place)) return true;
+    vec3 off = abs(shown(place) - paper);
+    return behind * backed == 1 && max(max(off.r, off.g), off.b) > ALIKE;
 }
 
 float brightness(vec3 c) {

@@ -1,7 +1,11 @@
-// What:   the app's surfaces on paper.
+// What:   the app's surfaces on paper, and scenery without depth, as pale as the style has it.
 // Inputs: tone.glsl.
 
+uniform float scenery;  // share of its own colours
+
 void main() {
-    if (surface(gl_FragCoord.xy) || behind == 0) discard;
-    colour = vec4(bare(on_paper(gl_FragCoord.xy)), 1.0);
+    vec2 at = gl_FragCoord.xy;
+    if (solid(at) || behind == 0) discard;
+    vec3 sheet = bare(on_paper(at));
+    colour = vec4(surface(at) ? mix(sheet, shown(at), scenery) : sheet, 1.0);
 }
