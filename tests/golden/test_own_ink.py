@@ -252,3 +252,101 @@ def test_the_option_has_one_name_in_all_styles() -> None:
     assert len(styles) > 12
     for name in styles:
         assert vars(parse_style(name))["own_ink"] == "auto", name
+
+
+def atlas(kind: str) -> NDArray[np.uint8]:
+    """(32, 64, 4) what is in the texture: letters, a wall, a pane, a tree."""
+    y, x = np.mgrid[0:32, 0:64]
+    texels = np.zeros((32, 64, 4), np.uint8)
+    texels[..., :3] = 255
+    if kind == "letters":
+        texels[..., 3] = 255 * ((x // 4 % 3 == 0) & (y > 6) & (y < 26))
+    elif kind == "wall":
+        texels[..., 0], texels[..., 3] = 40 * (x // 8 % 2) + 120, 255
+    elif kind == "pane":
+        texels[..., 3] = 100
+    else:
+        crown = (x - 32) ** 2 + 4 * (y - 18) ** 2 < 700
+        texels[...] = np.where(crown[..., None], (30, 140, 40, 255), (110, 70, 30, 0))
+        texels[(abs(x - 32) < 4) & (y < 12)] = 110, 70, 30, 255
+    return texels
+
+
+FORMATS = {
+    "alpha": (GL.GL_ALPHA, (3,)), "luminance alpha": (GL.GL_LUMINANCE_ALPHA, (0, 3)),
+    "rgba": (GL.GL_RGBA, (0, 1, 2, 3)),
+}  # fmt: skip
+
+
+def quads(kind: str, layout: str, *, tall: bool = False) -> Callable[[], None]:
+    """A frame of one textured, blended quad, flat and with a depth test, or (tall) in a scene."""
+    name, channels = FORMATS[layout]
+    texels = np.ascontiguousarray(atlas(kind)[..., channels])
+
+    def draw() -> None:
+        deep()
+        if not tall:
+            flat()
+            GL.glEnable(GL.GL_DEPTH_TEST)
+        texture = GL.glGenTextures(1)
+        GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
+        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
+        for filtering in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, filtering, GL.GL_NEAREST)
+        GL.glTexImage2D(
+            GL.GL_TEXTURE_2D, 0, name, 64, 32, 0, name, GL.GL_UNSIGNED_BYTE, texels
+        )  # fmt: skip
+        GL.glEnable(GL.GL_TEXTURE_2D)
+        GL.glEnable(GL.GL_BLEND)
+        GL.glBlendFunc(GL.GL_SRC_ALPHA, GL.GL_ONE_MINUS_SRC_ALPHA)
+        GL.glColor3f(1.0, 1.0, 1.0)
+        GL.glBegin(GL.GL_QUADS)
+        for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            GL.glTexCoord2f(u, v)
+            if tall:
+                GL.glVertex3f(2.0 * u - 1.0, v - 0.5, 0.0)
+            else:
+                GL.glVertex2f(96 + 128 * u, 88 + 64 * v)
+        GL.glEnd()
+        GL.glDisable(GL.GL_TEXTURE_2D)
+        GL.glDisable(GL.GL_BLEND)
+        if not tall:  # something solid, so that there is paper
+            GL.glColor3f(0.5, 0.5, 0.5)
+            GL.glRectf(270, 200, 300, 220)
+        GL.glDeleteTextures([texture])
+
+    return draw
+
+
+LETTERS = np.repeat(np.repeat(atlas("letters")[..., 3] > 0, 2, axis=0), 2, axis=1)
+"""(64, 128) where letters are on the quad."""
+
+
+@pytest.mark.parametrize("layout", FORMATS)
+@pytest.mark.parametrize("style", some(STYLES, 3))
+def test_text_on_textured_quads_is_text(style: str, layout: str) -> None:
+    found = shown(quads("letters", layout), style)
+    own, about = found[88:152, 96:224], found[80:160, 88:232]
+    paper = np.median(found[20:60, 20:60], axis=(0, 1))
+    assert contrast(own, paper)[LETTERS].min() > 3.5
+    rim = np.ones(about.shape[:2], bool)  # neither boxed nor filled
+    rim[8:-8, 8:-8] = ~LETTERS
+    assert np.quantile(contrast(about, paper)[rim], 0.97) < 1.6
+
+
+def test_text_has_no_outline_where_the_style_brings_no_paper() -> None:
+    plain, found = (shown(quads("letters", "rgba"), style) for style in ("", "raskar"))
+    assert abs(plain - found)[60:180, 80:240].max() < 0.01
+
+
+@pytest.mark.parametrize("kind", ["wall", "pane"])
+def test_a_wall_and_a_pane_are_surfaces(kind: str) -> None:
+    plain, found = (shown(quads(kind, "rgba"), style) for style in ("", "raskar:ink=red"))
+    assert (abs(plain - found)[84:92, 96:224].max(axis=2) > 0.3).sum() > 100  # the lower edge
+
+
+@pytest.mark.parametrize("kind", ["tree", "letters", "pane"])
+def test_what_stands_in_a_scene_is_of_the_scene(kind: str) -> None:
+    draw = quads(kind, "rgba", tall=True)
+    plain, found = (shown(draw, style) for style in ("", "raskar:ink=red"))
+    assert (abs(plain - found).max(axis=2) > 0.3).sum() > 200

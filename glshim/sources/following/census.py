@@ -13,6 +13,7 @@ from glshim.sources.source import ArrayDraw, Call, Drawn, Polygons, Primitive
 NO_DEPTH_TEST = "there is no depth test"
 NO_DEPTH_WRITES = "depth is not written"
 NOT_FILLED = "polygons are drawn as lines or points"
+TEXT = "they are text: their texture has letters"
 HUD = "a flat projection lies over a picture with depth"
 
 

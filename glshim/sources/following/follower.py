@@ -17,11 +17,12 @@ from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
+from glshim.sources.following import census
 from glshim.sources.following.behind import lay_behind
 from glshim.sources.following.census import Census
 from glshim.sources.following.changing import cover_anew
 from glshim.sources.following.faults import Faults, contained, styling
-from glshim.sources.following.gathering import is_let_through, lay_ink, mind_ink
+from glshim.sources.following.gathering import is_let_through, is_wire, lay_ink, mind_ink
 from glshim.sources.following.ground import clear
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
@@ -337,14 +338,14 @@ class Follower:
         if layer.pending and not compiling and (layer.overdue or layer.ends_with(state)):
             self._end_layer(scene, waits=layer.same_target(state))
         obstacle = scene.obstacle(state)
-        carries = polygons and not obstacle and layer.carries(state)
-        carries = carries and not scene.condition.discards
+        text = polygons and not obstacle and scene.lettering.draws(state)
+        carries = polygons and not (obstacle or text or scene.condition.discards)
+        carries = carries and layer.carries(state)
         if self._sink.has_background and not compiling:
             lay_behind(self._sink, scene, state, carries=carries, polygons=polygons)
         if gathers and not compiling:
-            mind_ink(
-                self._sink, scene, state, ink and not obstacle, carries=carries, listed=listed
-            )  # fmt: skip
+            ink = not obstacle and (ink or text or is_wire(state))
+            mind_ink(self._sink, scene, state, ink, carries=carries, listed=listed)
         if not polygons:
             return
         if carries:
@@ -356,7 +357,7 @@ class Follower:
             return
         if obstacle:
             say_once(f"unstyled: polygons drawn while {obstacle}")
-        self.census.passes(obstacle or layer.shortfall(state))
+        self.census.passes(obstacle or (census.TEXT if text else layer.shortfall(state)))
 
     def _close(self, scene: Scene) -> DrawState | None:
         """The draw is over: its state if its polygons carry lines."""

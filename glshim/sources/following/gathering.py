@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from glshim.driver.ask import is_enabled
+from glshim.driver.ask import integers, is_enabled
 from glshim.driver.queries import counting
 from glshim.sources.following.faults import styling
 from glshim.sources.following.layers import LayerCollector
@@ -10,7 +10,7 @@ from glshim.sources.following.ownink import Run
 from glshim.sources.following.scene import Scene
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.state import DrawState
-from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND
+from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_FILL, GL_POLYGON_MODE
 from glshim.system.interrupts import Held
 
 
@@ -44,6 +44,11 @@ def run_of(state: DrawState, layer: LayerCollector) -> Run:
     """The run that ink drawn in a state belongs to."""
     held = layer.pending or not layer.lies_over(state)
     return Run(state.framebuffer, held, held or state.depth_tested)
+
+
+def is_wire(state: DrawState) -> bool:
+    """Whether polygons drawn now are lines or points."""
+    return not state.fill_faces and GL_FILL not in integers(GL_POLYGON_MODE, 2)
 
 
 def is_let_through() -> bool:

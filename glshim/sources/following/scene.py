@@ -13,6 +13,7 @@ from glshim.driver.lifetime import witness
 from glshim.driver.objects import made
 from glshim.model.batch import POSITIONS, Wanted
 from glshim.notices import say_once
+from glshim.sources.fixed.lettering import Lettering
 from glshim.sources.fixed.shapes import Shapes
 from glshim.sources.fixed.source import FixedFunction
 from glshim.sources.following.condition import Condition
@@ -51,6 +52,7 @@ class Scene:
         """State of the draw that is under way, if its polygons carry lines."""
         self.condition = Condition()
         self.ink = OwnInk()
+        self.lettering = Lettering()
         self._marker = 0
         self._is_there = witness()
 

@@ -25,6 +25,7 @@ _WHY = {
     "them opaque in the program",
     census.NOT_FILLED: "its polygons are drawn as lines or points: switch the program to a solid "
     "view",
+    census.TEXT: "its polygons are text, of which only the letters are seen: only solids get lines",
     census.HUD: "its polygons are drawn flat over a picture, as texts and buttons are: only "
     "solids get lines",
 }

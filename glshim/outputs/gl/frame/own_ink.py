@@ -23,6 +23,7 @@ from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.outputs.gl.frame.frame import depth_margin
 from glshim.outputs.output import Destination, Ink
 from glshim.spec.constants import (
+    GL_ALWAYS,
     GL_BLEND,
     GL_BLEND_DST_ALPHA,
     GL_BLEND_DST_RGB,
@@ -38,7 +39,6 @@ from glshim.spec.constants import (
     GL_DRAW_FRAMEBUFFER,
     GL_FRAMEBUFFER,
     GL_FUNC_ADD,
-    GL_LEQUAL,
     GL_ONE,
     GL_ONE_MINUS_SRC_ALPHA,
     GL_RGBA8,
@@ -148,7 +148,7 @@ class OwnInk:
         gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
         if tested and self._hides:
             gl.glEnable(GL_DEPTH_TEST)
-            gl.glDepthFunc(GL_LEQUAL)
+            gl.glDepthFunc(GL_ALWAYS)
             gl.glDepthMask(1)
             gl.glDepthRange(0.0, 1.0)
         x, y, width, height = box

@@ -97,9 +97,10 @@ void main() {
     float cover = covered(own);
     if (cover < 0.004) discard;
     float depth = look(ink_depth, at, ink_size).r;
-    if (tested == 1 && depth > look(finished_depth, at, depth_size).r + hair) discard;
+    float surface = tested == 1 ? look(finished_depth, at, depth_size).r : 1.0;
+    if (depth > surface + hair) discard;
     vec3 c = own.rgb / cover;
     if (recoloured == 1) c = readable(c, at);
     gl_FragColor = vec4(c * cover, cover);
-    gl_FragDepth = depth;
+    gl_FragDepth = min(depth, surface);
 }
