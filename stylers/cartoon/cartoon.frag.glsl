@@ -15,6 +15,7 @@ uniform float saturation;   // 1: as the app has it
 uniform float paints;       // levels of the app's paint; 0: as it is
 
 const vec3 LUMA = vec3(0.2126, 0.7152, 0.0722);  // ITU-R BT.709
+const float LOCAL = 0.5;    // share of the light's colour that is the place's own
 const float RIM = 0.35;     // n . v below which a rim is
 
 float brightest(vec3 c) { return max(max(c.r, c.g), c.b); }
@@ -35,22 +36,19 @@ float banded(float light, bool crisp) {
     return min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
 }
 
-// The colour of the light, flat as its bands are: each lamp's, by its own band.
-vec3 hue(Pixel p) {
-    vec3 found = vec3(0.0);
-    for (int k = 0; k < lamps; ++k) {
-        Falling f = falling(k, p);
-        float bright = brightest(lamp_shade[k]);
-        float own = banded(f.share * max(dot(p.n, f.way), 0.0) * bright, p.crisp);
-        if (bright > 0.0) found += own * lamp_shade[k] / bright;
-    }
-    return brightest(found) > 0.0 ? found / brightest(found) : vec3(1.0);
+// The colour of the light: bands are of its brightness alone, so that under lamps of several colours
+// none has patches of its own; half of it is that of all lamps together.
+vec3 hue(vec3 light) {
+    vec3 all = vec3(0.0);
+    for (int k = 0; k < lamps; ++k) all += lamp_shade[k];
+    vec3 usual = brightest(all) > 0.0 ? all / brightest(all) : vec3(1.0);
+    return brightest(light) > 0.0 ? mix(usual, light / brightest(light), LOCAL) : usual;
 }
 
 void main() {
     Pixel p = this_pixel();
-    float level = banded(brightest(incoming(p)), p.crisp);
-    vec3 lit = hue(p);
+    vec3 light = incoming(p), lit = hue(light);
+    float level = banded(brightest(light), p.crisp);
     float shine = edge(brightest(gleaming(p, gloss)) - 0.5);
     float outer = edge(RIM - dot(p.n, p.sight));
     bool bent = is_bent(p);

@@ -7,7 +7,7 @@ import sys
 
 import pygame
 from OpenGL.GL import *  # noqa: F403
-from OpenGL.GLU import gluLookAt, gluPerspective
+from OpenGL.GLU import gluDeleteQuadric, gluLookAt, gluNewQuadric, gluPerspective, gluSphere
 
 # ruff: noqa: F405
 
@@ -205,6 +205,96 @@ def blended():
     glEnd()
 
 
+def ball(radius):
+    quadric = gluNewQuadric()
+    gluSphere(quadric, radius, 32, 24)
+    gluDeleteQuadric(quadric)
+
+
+def glass(writes):
+    """A blue glass ball before a chequered floor and a box."""
+    look((0.0, 2.0, 7.0), sky=(0.9, 0.9, 0.9))
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glPushMatrix()
+    glTranslatef(0.0, -1.0, 0.0)
+    chequers(lambda shade: glColor4f(*shade))
+    glPopMatrix()
+    glColor3f(0.8, 0.4, 0.3)
+    box((-1.2, 0.0, -1.0), 1.0)
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+    glDepthMask(GL_TRUE if writes else GL_FALSE)
+    glEnable(GL_CULL_FACE)
+    glColor4f(0.2, 0.4, 0.9, 0.4)
+    glTranslatef(0.4, 0.4, 2.0)
+    ball(1.2)
+
+
+def glass_without_depth():
+    glass(writes=False)
+
+
+def glass_with_depth():
+    glass(writes=True)
+
+
+def in_fog():
+    """Boxes that go into fog of the sky's colour."""
+    look((0.0, 2.0, 7.0), sky=(0.75, 0.8, 0.85))
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_FOG)
+    glFogi(GL_FOG_MODE, GL_LINEAR)
+    glFogf(GL_FOG_START, 4.0)
+    glFogf(GL_FOG_END, 26.0)
+    glFogfv(GL_FOG_COLOR, (0.75, 0.8, 0.85, 1.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glColor3f(0.35, 0.5, 0.3)
+    glNormal3f(0.0, 1.0, 0.0)
+    glBegin(GL_QUADS)
+    plane(-20.0, -40.0, 40.0, 45.0, -1.0)
+    glEnd()
+    glColor3f(0.8, 0.3, 0.2)
+    for k in range(6):
+        box((-3.0 + 1.6 * k, 0.0, 2.0 - 4.0 * k), 1.0)
+
+
+def coloured_lamps():
+    look((0.0, 2.0, 7.0), sky=(0.9, 0.9, 0.9))
+    for k, colour in enumerate(((1.0, 0.1, 0.1), (0.1, 1.0, 0.1), (0.1, 0.2, 1.0))):
+        light(((-4.0, 3.0, 3.0, 0.0), (0.0, 5.0, 2.0, 0.0), (4.0, 2.0, 3.0, 0.0))[k],
+              GL_LIGHT0 + k, colour)
+    material((0.8, 0.8, 0.8, 1.0))
+    ball(1.6)
+    box((-3.2, -0.5, 0.0), 0.9)
+
+
+def lamps_that_change():
+    """Red light for one ball, green for the next, and a view with a blue one."""
+    look((0.0, 2.0, 7.0), sky=(0.9, 0.9, 0.9))
+    material((0.8, 0.8, 0.8, 1.0))
+    for x, colour in ((-1.6, (1.0, 0.2, 0.2)), (1.6, (0.2, 1.0, 0.2))):
+        light((-4.0 * x, 3.0, 5.0, 0.0), colour=colour)
+        glPushMatrix()
+        glTranslatef(x, 0.0, 0.0)
+        ball(1.2)
+        glPopMatrix()
+    glViewport(0, 200, 100, 100)
+    light((0.0, 3.0, 5.0, 0.0), colour=(0.2, 0.2, 1.0))
+    ball(1.8)
+
+
+def a_sun_without_light():
+    """What is not lit has its own colour among what is."""
+    look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
+    glColor3f(1.0, 0.7, 0.1)
+    ball(1.2)
+    light((-4.0, 0.0, 3.0, 0.0))
+    material((0.6, 0.6, 0.8, 1.0))
+    glTranslatef(2.4, 0.0, 0.0)
+    ball(0.8)
+
+
 def flat():
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
@@ -244,7 +334,8 @@ SCENES = {
         floor_with_gls_normal, floor_with_its_own, chequers_of_material, chequers_of_colour,
         chequers_of_material_in_a_list, chequers_of_colour_in_a_list,
         chequers_in_a_list_that_says_how, road_without_depth_writes, road_without_depth_test,
-        blended, menu, before_a_backdrop,
+        coloured_lamps, lamps_that_change, a_sun_without_light,
+        blended, menu, before_a_backdrop, glass_without_depth, glass_with_depth, in_fog,
     )
 }  # fmt: skip
 
