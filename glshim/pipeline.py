@@ -23,13 +23,13 @@ from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
 from glshim.outputs.output import WINDOW, Destination, Given, Ink, Output
-from glshim.sources.fixed.lights import light
 from glshim.sources.following.census import Census
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.ownink import Run
 from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.sources.following.silence import Silence
+from glshim.sources.lights import light
 from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.spec.roles import Role

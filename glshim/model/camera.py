@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from glshim.model.arrays import Doubles, Matrix
+from glshim.model.lights import Lighting
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,6 +42,8 @@ class Camera:
     """The front material had a specular colour."""
     textured: bool = False
     """GL_TEXTURE_2D was on in the active unit."""
+    lighting: Lighting | None = None
+    """The lights that were on, of what is lit; with `lit`."""
 
     def affine(self) -> Camera:
         """An equal camera whose modelview is affine: an app that multiplies its perspective onto

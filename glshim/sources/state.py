@@ -20,6 +20,8 @@ from glshim.driver.ask import integer
 from glshim.driver.context import PROGRAM_SWITCHES, other_programs
 from glshim.driver.functions import gl, quick
 from glshim.model.camera import Camera
+from glshim.sources.lights import LampReader
+from glshim.sources.lights import lighting as lights_now
 from glshim.spec.constants import (
     GL_CCW,
     GL_CLIP_PLANE0,
@@ -129,6 +131,7 @@ class StateReader:
         self._stencil_test = ctypes.c_int32()
         self._lit_calls: list[Callable[[], None]] = []
         self._lit = ctypes.c_int32()
+        self._lamps = LampReader()
         self._clips = False
         self._other_programs: tuple[int, ...] | None = None
         """What tells that some are in use; None: as if there were none."""
@@ -166,6 +169,8 @@ class StateReader:
             for get in self._lit_calls:
                 get()
         key = bytes(self._buffer)
+        if self._lit.value:
+            key += self._lamps.read()
         state = self._known.get(key)
         if state is None:
             if len(self._known) > 4096:
@@ -215,12 +220,12 @@ class StateReader:
         if rest is None:
             if len(self._rest) > 256:
                 self._rest.clear()
-            rest = self._rest[key[_MODELVIEW_BYTES:]] = _decode_rest(key)
+            rest = self._rest[key[_MODELVIEW_BYTES:]] = _decode_rest(key, self._lighting)
         c = rest.camera
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured,
+            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured, c.lighting,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
@@ -240,7 +245,7 @@ def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
     return {"clip": clips, "lighting": lighting, "textured": lighting}.get(kind, True)
 
 
-def _decode_rest(key: bytes) -> DrawState:
+def _decode_rest(key: bytes, lighting: bool) -> DrawState:
     floats = struct.unpack_from("=34f", key)
     integers = struct.unpack_from(f"={_COUNT - 34}i", key, 34 * 4)
     values: dict[str, tuple[int, ...]] = {}
@@ -258,6 +263,7 @@ def _decode_rest(key: bytes) -> DrawState:
         clip_planes=_clip_planes(values["clip"]),
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
         lit=bool(values["lighting"][0]),
+        lighting=lights_now() if lighting and values["lighting"][0] else None,
         textured=bool(values["textured"][0]),
         gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )

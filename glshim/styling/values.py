@@ -54,8 +54,8 @@ class Layer:
     """Seconds since an arbitrary moment, for styles that move by themselves."""
     lighting: Lighting | None = None
     """The lights that were on, with GL_LIGHTING, when the first lit polygons of the layer were
-    drawn. If the program moves them later in the layer, these stay. None: nothing was lit, or the
-    style did not ask (`glshim.styling.protocol.Styler.wants_lights`)."""
+    drawn; `Camera.lighting` has those of each batch. None: nothing was lit, or the style did not
+    ask (`glshim.styling.protocol.Styler.wants_lights`)."""
     scale: float = 1.0
     """Pixels of the picture for each pixel of the window: more than 1 in a large shot. For constant
     lengths of a style; its options in pixels are already scaled."""

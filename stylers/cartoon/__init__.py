@@ -23,6 +23,7 @@ from ..shared.kinds import USUAL, FeatureLines, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
+    all_of,
     by_light,
     lamp_uniforms,
     lenses,
@@ -101,8 +102,11 @@ class Cartoon(FeatureLines):
         """Bands, and ink over them."""
         lit, unlit = by_light(layer, self.shade_unlit)
         head = (UPPER_LEFT,)
-        given = layer.lighting.lights if layer.lighting is not None else ()
-        yield from self._shaded(lit, given if self.lights == "app" else head)
+        if self.lights == "app":
+            for some in lit:
+                yield from self._shaded(some.bodies, some.lights)
+        else:
+            yield from self._shaded(all_of(lit), head)
         yield from self._shaded(unlit, head)
         yield from inked(
             layer, self.features(self.crease_angle, tolerance=self.tolerance), self.looks(),

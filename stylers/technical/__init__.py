@@ -12,7 +12,6 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar, cast
 
-from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import Colour, Layer, Lines, option
@@ -25,6 +24,8 @@ from ..shared.kinds import USUAL, FeatureLines, Look, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
     UPPER_LEFT,
+    Lit,
+    all_of,
     by_light,
     lamp_uniforms,
     lenses,
@@ -113,9 +114,13 @@ class Technical(FeatureLines):
             "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
             "beta": self.beta, "hue": self.hue, "highlight": self.highlight, "gloss": self.gloss,
         }  # fmt: skip
-        for lens in lenses(lit + unlit):
-            lamps = lamp_uniforms((self._lamp(layer),), lens)
-            yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
+        groups = [Lit((UPPER_LEFT,), all_of(lit) + unlit)]
+        if self.light == "app":
+            groups = [*lit, Lit(layer.lighting.lights if layer.lighting else (), unlit)]
+        for some in groups:
+            for lens in lenses(some.bodies):
+                lamps = lamp_uniforms(some.lights[:1] or (UPPER_LEFT,), lens)
+                yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
         yield from tone_passes("app", self.paper, self.ink, layer)
         yield from self._fine_lines(layer)
         looks = self.looks().items()
@@ -129,10 +134,6 @@ class Technical(FeatureLines):
         """Ridges may be white."""
         found = super().usual(kind)
         return replace(found, ink=_WHITE) if self.white_edges and kind == "ridge" else found
-
-    def _lamp(self, layer: Layer) -> Light:
-        given = layer.lighting.lights if layer.lighting is not None else ()
-        return given[0] if given and self.light == "app" else UPPER_LEFT
 
     def _fine_lines(self, layer: Layer) -> Iterable[Lines]:
         """Lines that go on where they are hidden: of outlines, too."""

@@ -87,3 +87,19 @@ def test_a_backdrop_is_no_scenery() -> None:
     """Colours across the window, drawn flat, are the background that paper stands for."""
     found = shown("before_a_backdrop", "technical")
     assert found[280:, :40].min() > 240
+
+
+def test_each_draw_is_lit_by_the_lights_that_stood_then() -> None:
+    found = shown("lamps_that_change", "cartoon")
+    left, right, view = found[150, 140], found[150, 260], found[250, 50]
+    for seen, channel in ((left, 0), (right, 1), (view, 2)):
+        assert np.argmax(seen) == channel and seen[channel] > 2 * np.delete(seen, channel).max()
+
+
+def test_lamps_of_several_colours_leave_no_patches() -> None:
+    """Neighbours on a smooth ball differ by their band alone: no step from hue to hue."""
+    found = shown("coloured_lamps", "cartoon").astype(float)
+    ball = found[100:200, 150:250]
+    hue = ball / ball.max(axis=2, keepdims=True)
+    assert np.abs(np.diff(hue, axis=1)).max() < 0.12
+    assert np.ptp(hue[..., 0]) > 0.2  # the lamps are seen

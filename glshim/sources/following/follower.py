@@ -14,7 +14,6 @@ from glshim.model.batch import POSITIONS, Wanted
 from glshim.model.lights import Materials
 from glshim.notices import say_once
 from glshim.sources.fixed.immediate import POLYGON_MODES
-from glshim.sources.fixed.lights import lighting
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
 from glshim.sources.following import census
@@ -352,7 +351,7 @@ class Follower:
             scene.drawing = state
             if not compiling:
                 if state.camera.lit and layer.lighting is None:
-                    layer.lighting = lighting()
+                    layer.lighting = state.camera.lighting
                 self._sink.cover(materials)
             return
         if obstacle:

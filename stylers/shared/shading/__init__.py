@@ -6,14 +6,17 @@ T. Saito, T. Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990;
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import cos, isfinite, radians
+from typing import NamedTuple
 
 import numpy as np
 
 from glshim.geometry.crease.creases import Criterion
-from glshim.model.lights import Light
+from glshim.model.batch import PolygonBatch
+from glshim.model.camera import Camera
+from glshim.model.lights import Light, Lighting
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.screen import SCREEN
@@ -22,6 +25,8 @@ from glshim.styling.values import Body, Layer, Uniform
 UNDER = -1
 """The coat: lines go over it."""
 MOST_LAMPS = 8
+MOST_LIGHTINGS = 8
+"""Of a layer: each costs a pass over the window; what comes after them is lit as the last."""
 _CREASES = Criterion("either", radians(50.0), radians(1.0))
 """Light breaks where the app's normals do, or where triangles meet at an angle: a cube that came
 without normals is not round."""
@@ -78,25 +83,47 @@ def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
     return [tuple(some) for some in alike.values()]
 
 
-def by_light(layer: Layer, shade_unlit: str) -> tuple[tuple[Body, ...], tuple[Body, ...]]:
-    """The bodies that the app lit, and those of the others that are shaded, each parted by whether
-    they gleam. shade_unlit: ``head``, ``off``, or ``auto``: where the app lit nothing, what has no
-    textures; a wall with a light map has its light in them."""
+class Lit(NamedTuple):
+    """Bodies that the app lit alike."""
 
-    def some(*, lit: bool, textured: Collection[bool]) -> tuple[Body, ...]:
-        found: tuple[Body, ...] = ()
-        for gleams in (False, True):
-            items = tuple(
-                item for item in layer.items
-                if (item[1].lit, item[1].gleams) == (lit, gleams) and item[1].textured in textured
-            )  # fmt: skip
-            found += replace(layer, items=items).bodies
-        return found
+    lights: tuple[Light, ...]
+    bodies: tuple[Body, ...]
 
-    lit = some(lit=True, textured=(False, True))
+
+def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...]]:
+    """The bodies that the app lit, by the lights that shone when they were drawn, and those of the
+    others that are shaded, each parted by whether they gleam. shade_unlit: ``head``, ``off``, or
+    ``auto``: where the app lit nothing, what has no textures; a wall with a light map has its light
+    in them."""
+    lit: dict[Lighting | None, list[tuple[PolygonBatch, Camera]]] = {}
+    for item in layer.items:
+        if item[1].lit:
+            lighting = item[1].lighting or layer.lighting
+            if lighting not in lit and len(lit) == MOST_LIGHTINGS:
+                lighting = next(reversed(lit))
+            lit.setdefault(lighting, []).append(item)
+    found = [
+        Lit(lighting.lights if lighting is not None else (), _by_gleam(layer, items))
+        for lighting, items in lit.items()
+    ]
     if shade_unlit == "off" or (shade_unlit == "auto" and layer.lighting is not None):
-        return lit, ()
-    return lit, some(lit=False, textured=(False,) if shade_unlit == "auto" else (False, True))
+        return found, ()
+    plain = shade_unlit != "auto"
+    unlit = [item for item in layer.items if not item[1].lit and (plain or not item[1].textured)]
+    return found, _by_gleam(layer, unlit)
+
+
+def all_of(lit: Iterable[Lit]) -> tuple[Body, ...]:
+    """Their bodies, whatever lights them."""
+    return tuple(body for some in lit for body in some.bodies)
+
+
+def _by_gleam(layer: Layer, items: Sequence[tuple[PolygonBatch, Camera]]) -> tuple[Body, ...]:
+    found: tuple[Body, ...] = ()
+    for gleams in (False, True):
+        some = tuple(item for item in items if item[1].gleams is gleams)
+        found += replace(layer, items=some).bodies
+    return found
 
 
 def lamp_uniforms(lights: tuple[Light, ...], lens: tuple[Body, ...]) -> dict[str, Uniform]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
+from collections.abc import Callable
 from functools import partial
 
 from glshim.driver.ask import is_enabled, of_light, reals
+from glshim.driver.functions import quick
 from glshim.model.lights import Light, Lighting
 from glshim.spec.constants import (
     GL_AMBIENT,
@@ -37,6 +40,41 @@ def lighting() -> Lighting:
     numbers = [GL_LIGHT0 + k for k in range(_LEAST) if is_enabled(GL_LIGHT0 + k)]
     red, green, blue, _ = reals(GL_LIGHT_MODEL_AMBIENT, 4)
     return Lighting(tuple(map(_light, numbers)), (red, green, blue))
+
+
+class LampReader:
+    """Tells draws apart by the lights that are on: which, where, and of what colour."""
+
+    def __init__(self) -> None:
+        self._on = (ctypes.c_int32 * _LEAST)()
+        self._values = [(ctypes.c_float * 8)() for _ in range(_LEAST)]
+        self._switches: list[Callable[[], None]] = []
+        self._lamps: list[list[Callable[[], None]]] = []
+
+    def read(self) -> bytes:
+        """Equal for equal ones. Outside glBegin/glEnd; the first time in a context of the fixed
+        function."""
+        for get in self._switches or self._prepare():
+            get()
+        found = [bytes(self._on)]
+        for on, gets, values in zip(self._on, self._lamps, self._values, strict=True):
+            if on:
+                for get in gets:
+                    get()
+                found.append(bytes(values))
+        return b"".join(found)
+
+    def _prepare(self) -> list[Callable[[], None]]:
+        integers, of_lights = quick("glGetIntegerv"), quick("glGetLightfv")
+        for k, values in enumerate(self._values):
+            at = ctypes.c_void_p(ctypes.addressof(self._on) + 4 * k)
+            self._switches.append(partial(integers, GL_LIGHT0 + k, at))
+            places = [ctypes.c_void_p(ctypes.addressof(values) + 16 * row) for row in (0, 1)]
+            self._lamps.append(
+                [partial(of_lights, GL_LIGHT0 + k, name, place)
+                 for name, place in zip((GL_POSITION, GL_DIFFUSE), places, strict=True)]
+            )  # fmt: skip
+        return self._switches
 
 
 def _light(number: int) -> Light:
