@@ -250,8 +250,10 @@ def feature_lines(
     placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
     placed = (*placed, (("seams", *named), np.eye(4)))
     drawn = Drawn(walk, a, b, group, owner, placed)
-    if wanted.pattern.corner is not None:
-        whole[:, Line.BEFORE], whole[:, Line.AFTER] = lifts(walk, wanted.pattern.corner)
+    corner = wanted.pattern.corner
+    if corner is not None:
+        pattern = wanted.pattern
+        whole[:, Line.REST] = np.stack(lifts(walk, corner, straight=pattern.straight), axis=1)
         drawn = replace(drawn, walk=begun_anywhere(walk))
     if past is not None:
         drawn = replace(drawn, walk=follow(drawn, camera, past))

@@ -22,15 +22,26 @@ _GAP = 1.5
 """Pixels between the end of a line and the beginning of the next at which the pen is lifted: the
 near plane has cut out what lay there."""
 
+_STRAIGHT = 60.0
+_SHARE = 0.25
+"""Pixels before an end over which a straight run is straight, and the share of its stroke at least;
+all of a shorter one. Sides of a coarse curve may be long."""
+_LEAST = 6.0
+"""Pixels of a straight run."""
+_OFF = 0.15
+"""Pixels by which it strays at most: what is straight in space is so in the window."""
+_BENT = 0.05
+"""Pixels; more than the `AT_END` of ``hand.glsl``."""
 _GOLDEN = 0.6180339887498949
 """Multiples of it, less their whole parts, are far apart."""
 
 
-def lifts(walk: Walk, corner: float) -> tuple[Doubles, Doubles]:
+def lifts(walk: Walk, corner: float, *, straight: bool = False) -> tuple[Doubles, Doubles]:
     """(L,) pixels of its stroke before each line's a, and (L,) after its b; 0 for lines without a
     stroke, `ENDLESS` on loops without a corner.
 
-    corner: radians; where a stroke turns by more the pen is lifted.
+    corner: radians; where a stroke turns by more the pen is lifted. straight: ends that strokes do
+    not run into straight on lie `_BENT` pixels further off, so that nothing goes on beyond them.
     """
     before, after = np.zeros(len(walk.stroke)), np.zeros(len(walk.stroke))
     on = np.flatnonzero(walk.stroke >= 0)
@@ -54,6 +65,11 @@ def lifts(walk: Walk, corner: float) -> tuple[Doubles, Doubles]:
     extra_before, extra_after = np.zeros(len(length)), np.zeros(len(length))
     extra_before[head[part]], extra_after[tail[part]] = length[tail[part]], length[head[part]]
     extra_before[head[whole]] = extra_after[head[whole]] = ENDLESS
+    if straight:
+        joins = (head[part], tail[part])
+        free = run.straight(base, np.asarray(length, float), joins)
+        extra_before[~free[0]] += _BENT
+        extra_after[~free[1]] += _BENT
     begun = np.maximum(begun + extra_before[piece], 0.0)
     rest = np.maximum(rest + extra_after[piece], 0.0)
     before[order] = np.where(run.forward, begun, rest)
@@ -125,6 +141,32 @@ class _Run:
         share = 1.0 - (self.total[line] - along) / np.maximum(self.size[line], 1e-9)
         share = np.clip(share, 0.0, 1.0)
         return np.asarray(self._from[line] + share * (self._to - self._from)[line])
+
+    def straight(
+        self, base: Doubles, length: Doubles, joins: tuple[Rows, Rows]
+    ) -> tuple[Flags, Flags]:
+        """(P,), (P,) whether pieces of the row, from a place on, run straight from their beginning,
+        and into their end: a curve of any size turns off over a few pixels, a straight run by less
+        than can be seen. joins: pieces, and those that they are the rest of, before them."""
+        head, tail = joins
+        end, whole = base + length, length.copy()
+        back, on = np.zeros(len(base)), np.zeros(len(base))
+        back[head], on[tail] = (end[tail] - base[head]), (base[head] - end[tail])
+        whole[head] = whole[tail] = length[head] + length[tail]
+        over = np.minimum(whole, np.maximum(_STRAIGHT, _SHARE * whole))
+        off = np.linspace(1e-6, 1.0, 9) * (over - 1e-6)[:, None]
+        first, last = base[:, None] + off, end[:, None] - off
+        first += np.where(first > end[:, None], on[:, None], 0.0)
+        last += np.where(last < base[:, None], back[:, None], 0.0)
+        return self._is_straight(first, over), self._is_straight(last, over)
+
+    def _is_straight(self, along: Doubles, over: Doubles) -> Flags:
+        """(P,) whether places (P, N) along the row of strokes lie on lines, so many pixels long."""
+        places = self._place(along.ravel()).reshape(along.shape)
+        chord = places[:, -1] - places[:, 0]
+        size = np.maximum(np.abs(chord), 1e-9)
+        off = np.abs(((places - places[:, :1]) * chord.conj()[:, None]).imag) / size[:, None]
+        return np.asarray((off.max(axis=1) <= _OFF) & (over >= _LEAST))
 
     def _sharpest(self, turn: Doubles, corner: float) -> Flags:
         """(L,) of ends of lines that turn by more than a corner and lie together the sharpest."""

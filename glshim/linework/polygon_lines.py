@@ -8,7 +8,7 @@ import numpy as np
 
 from glshim.geometry.edges.edges import Edges, joined
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.hand import own_numbers
+from glshim.linework.hand import lifts, own_numbers
 from glshim.linework.joins import link
 from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
@@ -91,6 +91,8 @@ def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
     walk = measure(records[:, Line.A], records[:, Line.B], group, camera, pattern)
     turns = np.floor(walk.begin)
     records[:, Line.BEGIN], records[:, Line.FINISH] = walk.begin - turns, walk.finish - turns
+    if pattern.straight and pattern.corner is not None:
+        records[:, Line.REST] = np.stack(lifts(walk, pattern.corner, straight=True), axis=1)
 
 
 def run_on(records: Floats) -> None:

@@ -19,6 +19,8 @@ class Pattern:
     corner: float | None = None
     """Radians; where a stroke turns by more, a hand lifts the pen, and strokes begin anywhere in
     the pattern. None: nobody asks (`glshim.linework.hand`)."""
+    straight: bool = False
+    """Nothing goes on beyond ends that a stroke does not run into straight on."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

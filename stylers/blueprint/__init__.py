@@ -18,6 +18,8 @@ from ..shared.hand.paper import Paper, under
 from ..shared.kinds import USUAL, former_names
 from .dimensions import dimensions
 
+_USUAL = 480.0
+"""Pixels of a window's shorter side."""
 _INNER = ("ridge_width", "valley_width", "intersection_width")
 
 
@@ -38,7 +40,8 @@ class Blueprint(ByHand):
         low=0.0, high=1.0,
     )  # fmt: skip
     overshoot_most: float = option(
-        20.0, help="upper limit of overshoot", low=0.0, high=256.0, unit="px"
+        20.0, help="upper limit of overshoot, less in windows under 480 pixels",
+        low=0.0, high=256.0, unit="px",
     )
     jitter: float = options.jitter(0.0)
     texture: str = options.texture()
@@ -69,11 +72,14 @@ class Blueprint(ByHand):
         )
         yield from under(paper, layer)
 
+        most = self.overshoot_most * _share_of_window(layer)
+
         def medium(look: Strokes) -> Medium:
             return hand(
                 self.width * self.inner, self.ink, widths=look.widths, colours=look.colours,
-                opacity=self.opacity, wobble=self.jitter, overshoot=self.overshoot_most,
-                overshoot_share=self.overshoot, pressure=0.1, corner=30.0, scale=layer.scale,
+                opacity=self.opacity, wobble=self.jitter, overshoot=most,
+                overshoot_share=self.overshoot, pressure=0.1, corner=30.0, straight=True,
+                scale=layer.scale,
                 **pictured(look.texture, self.width, self.texture_length, look.dash),
             )  # fmt: skip
 
@@ -88,3 +94,9 @@ class Blueprint(ByHand):
 
     def share(self, kind: str) -> float:
         return 1.0 if kind in ("contour", "boundary") else self.inner
+
+
+def _share_of_window(layer: Layer) -> float:
+    """How long things may be that suit a window of `_USUAL` pixels, in the layer's largest view."""
+    sides = [min(body.camera.viewport[2:]) for body in layer.bodies]
+    return min(max(sides, default=0) / (_USUAL * layer.scale), 1.0)

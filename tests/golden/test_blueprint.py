@@ -132,3 +132,24 @@ def test_the_number_is_written_as_drawings_have_it(backend, size, text):
             )  # fmt: skip
             scores.append(best)
         assert "0123456789."[int(np.argmax(scores))] == character
+
+
+@pytest.mark.parametrize("mesh", [look.torus(48, 24), look.sphere(48, 32)], ids=["torus", "sphere"])
+def test_round_outlines_have_no_horns(backend, mesh):
+    picture, there = drawn(backend, mesh, overshoot=0.3, overshoot_most=100.0, dimensions=0.0)
+    near = there.copy()
+    for axis in (0, 1):
+        for step in (-3, 3):
+            near |= np.roll(there, step, axis)
+    assert (light(picture) > 0.15)[~near].sum() == 0
+
+
+def test_lines_go_on_less_far_in_a_small_window(backend):
+    small = replace(CAMERA, viewport=(0, 0, 150, 150))
+    options = {"overshoot": 1.0, "overshoot_most": 60.0, "dimensions": 0.0}
+    most = []
+    for camera in (CAMERA, small):
+        style = Blueprint(**options)
+        lines = [d for d in style.draws(Layer(((box(), camera),))) if isinstance(d, Lines)]
+        most.append(lines[0].medium.uniforms["overshoot"])
+    assert most == pytest.approx([50.0, 18.75])

@@ -230,3 +230,39 @@ def test_records_of_meshes_say_it(name):
         assert not found[group_of(found) > 0, 18:20].round(2).any()
     if name in ("torus", "sphere"):
         assert (found[group_of(found) == 0, 18:20] >= 50.0).mean() > 0.5
+
+
+def free_ends(points, closed):
+    """Ends of strokes beyond which something goes on, where only straight runs do."""
+    a, b = polyline(points, closed=closed)
+    walk = walked(a, b)
+    before, after = lifts(walk, CORNER, straight=True)
+    return int((before < 0.02).sum() + (after < 0.02).sum())
+
+
+def arc(radius, turn, count):
+    angles = np.linspace(0.0, turn, count)
+    return radius * np.stack((np.cos(angles), np.sin(angles)), axis=1)
+
+
+def test_straight_runs_go_on_beyond_their_corners():
+    assert free_ends(SQUARE, closed=True) == 8
+    assert free_ends(((-1, -1), (1, -1), (1, 1)), closed=False) == 4
+
+
+@pytest.mark.parametrize("radius", [0.1, 0.6, 3.0])
+@pytest.mark.parametrize("count", [12, 40])
+def test_curves_do_not(radius, count):
+    assert free_ends(arc(radius, 2.5, count), closed=False) == 0
+
+
+def test_a_side_that_ends_round_goes_on_at_its_corner_alone():
+    round_end = arc(0.5, 1.5, 24) + np.array((1.0, 0.0))
+    points = np.concatenate((((1.5, -2.0),), round_end))
+    assert free_ends(points, closed=False) == 1
+
+
+def test_a_loop_that_begins_in_the_middle_of_a_curve_has_one_corner():
+    """A drop: round but for its tip."""
+    drop = np.concatenate((((0.0, -2.0),), arc(1.0, np.pi, 30)))
+    assert free_ends(drop, closed=True) == 2

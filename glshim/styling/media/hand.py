@@ -58,6 +58,7 @@ def hand(
     coloured: bool = False,
     bristles: float = 0.0,
     aligned: bool = False,
+    straight: bool = False,
     scale: float = 1.0,
     seed: int = 0,
 ) -> Medium:
@@ -70,7 +71,8 @@ def hand(
     stroke that has the full width; shorter ones are thinner. corner: degrees of a turn on the
     screen at which a new stroke begins. image: the texture of a brush, its length, whether it has
     colours of its own, and the pixels over which its hairs leave the paper (bristles). aligned:
-    strokes begin where the image does, so that dashes lie over each other. scale: `Layer.scale`.
+    strokes begin where the image does, so that dashes lie over each other. straight: only ends that
+    strokes run into straight on extend, no curve does. scale: `Layer.scale`.
     seed: another seed gives other jitter.
     """
     tiles = max(round(_PERIOD * scale / length), 1)  # pictures may be short
@@ -96,7 +98,7 @@ def hand(
             "bristles": bristles,
         },
         image,
-        Pattern((period,) * GROUPS, 0.0, radians(corner)),
+        Pattern((period,) * GROUPS, 0.0, radians(corner), straight),
     )
     return reseeded(medium, seed)
 
