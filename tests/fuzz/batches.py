@@ -54,11 +54,14 @@ def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) 
         for position, each in enumerate(programs):
             for lane in lanes.values():
                 lane.ask(each.steps)
-            seen = {name: lane.answer() for name, lane in lanes.items()}
+            seen = {PLAIN: lanes[PLAIN].answer()}
             count.programs += 1
             if isinstance(seen[PLAIN], str):
                 count.died.append(each.number)
+                for name in styles:
+                    lanes[name].end()
                 continue
+            seen |= {name: lanes[name].answer() for name in styles}
             for name in styles:
                 count.compared[name] += 1
                 found = differences(each.steps, seen[PLAIN], seen[name], name)
@@ -74,7 +77,8 @@ def run(seed: int, numbers: Sequence[int], style: str, count: Count, most: int) 
             each = programs[position]
             findings.append(Finding(each, name, each.steps, found, judged=False))
             continue
-        finding = judge(programs[position], name, programs[:position])
+        before = [p for p in programs[:position] if p.number not in count.died]
+        finding = judge(programs[position], name, before)
         if finding is None:
             count.unsteady.append(programs[position].number)
             continue

@@ -57,7 +57,11 @@ class Pair:
         """None where plain itself dies or differs from play to play."""
         for lane in (self.plain, self.styled):
             lane.ask(steps)
-        plain, styled = self.plain.answer(), self.styled.answer()
+        plain = self.plain.answer()
+        if isinstance(plain, str):
+            self.styled.end()
+            return []
+        styled = self.styled.answer()
         found = differences(steps, plain, styled, self.style)
         if not found:
             return []
@@ -86,8 +90,10 @@ def judge(program: Program, style: str, before: Sequence[Program]) -> Finding | 
         return None
     pair = Pair(style, program.flags)
     try:
-        for earlier in before:
-            for lane in pair.lanes:
+        # The others have played something else: what depends on that, plain too, is no finding.
+        histories = [before, before, *(before[k::2] for k in range(len(pair.again)))]
+        for lane, history in zip((pair.plain, pair.styled, *pair.again), histories, strict=True):
+            for earlier in history:
                 lane.play(earlier.steps)
         found = pair.differences(program.steps)
         return Finding(program, style, program.steps, found, tuple(before)) if found else None

@@ -14,8 +14,9 @@ from contextlib import suppress
 from tests.fuzz.program import ENVIRONMENTS
 from tests.fuzz.stage import Note
 
-SECONDS = 90.0
-"""A program takes some tens of milliseconds; on a busy machine, with its first shaders, seconds."""
+SECONDS = 45.0
+"""A program takes some tens of milliseconds; on a busy machine, with its first shaders, seconds.
+Some call lists that call themselves, and take the driver for ever."""
 _ENVIRONMENT = {
     "LP_NUM_THREADS": "0", "OPENBLAS_NUM_THREADS": "1", "PYTHONHASHSEED": "0",
     "XDG_SESSION_TYPE": "x11",
@@ -57,8 +58,7 @@ class Lane:
         assert process.stdout is not None
         ready, _, _ = select.select([process.stdout], [], [], SECONDS)
         if not ready:
-            process.kill()
-            self.close()
+            self.end()
             return "hangs"
         try:
             notes: list[Note] = pickle.load(process.stdout)
@@ -73,8 +73,13 @@ class Lane:
         self.ask(steps)
         return self.answer()
 
+    def end(self) -> None:
+        """End the process, whatever it is at."""
+        self.start().kill()
+        self.close()
+
     def close(self) -> None:
-        """End the process."""
+        """Let the process end."""
         process, self._process = self._process, None
         if process is not None:
             assert process.stdin is not None
