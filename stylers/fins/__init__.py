@@ -24,6 +24,7 @@ from glshim.styling.values import Uniform
 
 from ..shared import options
 from ..shared.kinds import Boundaries, Contours, Look, Ridges, Valleys, former_names
+from ..shared.shading import by_light
 from ..shared.strokes import inked, only
 from .lighting import Lighting, relit
 
@@ -103,6 +104,11 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
         return self.fill in ("lit", "cel")
 
     @property
+    def wants_lights(self) -> bool:
+        """What the app does not light keeps its own picture among what it does."""
+        return self.fill in ("lit", "cel")
+
+    @property
     def surface(self) -> str | Colour:
         """The option `fill`: what is lit anew is painted over the app's own."""
         return "app" if self.fill in ("lit", "cel") else self.fill
@@ -119,7 +125,11 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
         if self.fill in ("lit", "cel"):
             bands = self.bands if self.fill == "cel" else 0
             look = Lighting(self.paint, self.shine, bands)
-            yield from relit(found, layer.light, look, self.tolerance)
+            lit, unlit = by_light(layer, "off" if layer.lighting is not None else "head")
+            for some in lit:
+                light = some.lights[0].position if some.lights else layer.light
+                yield from relit(some.bodies, light, look, self.tolerance)
+            yield from relit(unlit, layer.light, look, self.tolerance)
         looks = self.looks()
         creases = {kind: look for kind, look in looks.items() if kind not in _KINDS}
         if creases:

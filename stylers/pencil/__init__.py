@@ -62,6 +62,11 @@ class Pencil(ByHand):
         """Light breaks where they do."""
         return self.hatching > 0.0
 
+    @property
+    def wants_lights(self) -> bool:
+        """Hatching goes by them."""
+        return self.hatching > 0.0
+
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured), layer)
         yield from hatched(

@@ -51,6 +51,11 @@ class Sketch(ByHand):
         """Light breaks where they do."""
         return self.hatching > 0.0
 
+    @property
+    def wants_lights(self) -> bool:
+        """Hatching goes by them."""
+        return self.hatching > 0.0
+
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Paper, hatching, and every line so often as it is drawn."""
         yield from under(Paper(self.paper, tint=self.tint), layer)

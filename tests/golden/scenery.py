@@ -7,7 +7,16 @@ import sys
 
 import pygame
 from OpenGL.GL import *  # noqa: F403
-from OpenGL.GLU import gluDeleteQuadric, gluLookAt, gluNewQuadric, gluPerspective, gluSphere
+from OpenGL.GLU import (
+    GLU_FLAT,
+    GLU_SMOOTH,
+    gluDeleteQuadric,
+    gluLookAt,
+    gluNewQuadric,
+    gluPerspective,
+    gluQuadricNormals,
+    gluSphere,
+)
 
 # ruff: noqa: F405
 
@@ -295,6 +304,22 @@ def a_sun_without_light():
     ball(0.8)
 
 
+def coarse_balls():
+    """Few facets: smooth, and flat."""
+    look((0.0, 2.0, 7.0), sky=(0.9, 0.9, 0.9))
+    light((4.0, 4.0, 3.0, 0.0))
+    material((0.7, 0.7, 0.7, 1.0))
+    for x, normals in ((-1.7, GLU_SMOOTH), (1.7, GLU_FLAT)):
+        glPushMatrix()
+        glTranslatef(x, 0.0, 0.0)
+        glRotatef(60.0, 1.0, 0.2, 0.0)
+        quadric = gluNewQuadric()
+        gluQuadricNormals(quadric, normals)
+        gluSphere(quadric, 1.5, 12, 8)
+        gluDeleteQuadric(quadric)
+        glPopMatrix()
+
+
 def flat():
     glMatrixMode(GL_PROJECTION)
     glLoadIdentity()
@@ -335,7 +360,8 @@ SCENES = {
         chequers_of_material_in_a_list, chequers_of_colour_in_a_list,
         chequers_in_a_list_that_says_how, road_without_depth_writes, road_without_depth_test,
         coloured_lamps, lamps_that_change, a_sun_without_light,
-        blended, menu, before_a_backdrop, glass_without_depth, glass_with_depth, in_fog,
+        coarse_balls, blended, menu, before_a_backdrop, glass_without_depth, glass_with_depth,
+        in_fog,
     )
 }  # fmt: skip
 

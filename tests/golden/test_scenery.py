@@ -103,3 +103,22 @@ def test_lamps_of_several_colours_leave_no_patches() -> None:
     hue = ball / ball.max(axis=2, keepdims=True)
     assert np.abs(np.diff(hue, axis=1)).max() < 0.12
     assert np.ptp(hue[..., 0]) > 0.2  # the lamps are seen
+
+
+def test_what_is_not_lit_keeps_its_colour_among_what_is() -> None:
+    """A sun is no planet: neither the look's light nor its hatching falls on it."""
+    plain, comic = shown("a_sun_without_light"), shown("a_sun_without_light", "comic")
+    sun, planet = (slice(130, 170), slice(180, 220)), (slice(135, 165), slice(300, 320))
+    assert (comic[sun] == plain[sun]).all()
+    assert (comic[planet] != plain[planet]).any()
+    hatched = shown("a_sun_without_light", "sketch")
+    assert np.ptp(hatched[sun].sum(axis=2)) < 60 < np.ptp(hatched[planet].sum(axis=2))
+
+
+def test_hatching_goes_by_the_lights_of_the_draw() -> None:
+    """Not by those that stand when the frame is shown: the program has put them away."""
+    found = shown("coarse_balls", "sketch:tint=0").astype(float).sum(axis=2)
+    for middle in (122, 279):  # smooth and flat; the light comes from the upper right
+        dark = found[90:130, middle - 55 : middle - 25]
+        bright = found[170:205, middle + 10 : middle + 40]
+        assert dark.mean() < bright.mean() - 20

@@ -1,6 +1,6 @@
 // What:   hatching that is held by the surface: planes through the object, as far apart as suits the
 //         screen, drawn where the light leaves it dark; crossed where it is darker still.
-// Inputs: seen_normal.glsl; the surface's place and normal (hatch.vert.glsl), GL_LIGHT0, the app's
+// Inputs: seen_normal.glsl; the surface's place and normal (hatch.vert.glsl), the lamps, the app's
 //         finished picture.
 // Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it is:
 //         G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994;
@@ -12,7 +12,9 @@ uniform mat4 modelview;
 uniform sampler2D app_colour;
 uniform sampler2D stroke;   // the paper's grain
 uniform vec4 viewpoint;
-uniform vec4 lamp;          // eye space, homogeneous
+uniform int lamps;
+uniform vec4 lamp_place[8]; // eye space, homogeneous
+uniform vec3 lamp_shade[8]; // diffuse
 uniform vec3 ink;
 uniform float apart;        // pixels between strokes, about
 uniform float darkness;     // of the hatching, 0..1
@@ -64,11 +66,21 @@ float strokes(vec3 across, float dark, float number, vec3 n, vec3 sight) {
     return clamp(cover * tooth, 0.0, 1.0) * smoothstep(0.1, 0.3, slope / max(smoothly.y, 1e-12));
 }
 
+// How a surface faces the lamps, 0..1: the brighter ones count for more.
+float lit(vec3 n) {
+    float found = 0.0, all = 1e-6;
+    for (int k = 0; k < lamps; ++k) {
+        float share = max(max(lamp_shade[k].r, lamp_shade[k].g), lamp_shade[k].b);
+        found += share * (0.5 + 0.5 * dot(n, normalize(lamp_place[k].xyz - lamp_place[k].w * spot)));
+        all += share;
+    }
+    return found / all;
+}
+
 void main() {
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
     vec3 n = seen_normal(spot, upright, sight);
-    vec3 to_light = normalize(lamp.xyz - lamp.w * spot);
-    float light = 0.5 + 0.5 * dot(n, to_light);
+    float light = lit(n);
     vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;
     float picture = dot(shown, vec3(0.299, 0.587, 0.114));
     float dark = 1.2 * darkness * (1.0 - mix(light * light, picture, by_picture));

@@ -8,19 +8,21 @@ from functools import cache
 from math import floor, isfinite, radians
 
 from glshim.geometry.crease.creases import Criterion
+from glshim.model.lights import Light
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Colour, Layer, Uniform
 
-from ..shading import SEEN_NORMAL
+from ..shading import SEEN_NORMAL, Lit, by_light, lamp_uniforms
 from ..tones import grain
 
 ON = -1
 """The coat: over the paper, under the lines."""
-_CREASES = Criterion("either", radians(50.0), radians(1.0))
-"""Light breaks where the app's normals do, or where triangles meet at an angle."""
+_CREASES = Criterion("angle", radians(50.0), radians(1.0))
+"""Light breaks where triangles meet at an angle. Facets of what is round, flat as an app may shade
+them, have the mean of their normals: a hand does not hatch facet by facet."""
 _STATE = State(depth="lequal", blend="off", offset=(-1.0, -4.0))
-_UPPER_LEFT = (-0.45, 0.7, 0.55, 0.0)
+_UPPER_LEFT = Light((-0.45, 0.7, 0.55, 0.0))
 """Where light comes from that an app has not placed."""
 
 
@@ -37,7 +39,7 @@ class Hatching:
     """Pixels by which strokes stray."""
     by_picture: float = 0.5
     """Share of the darkness that the program's picture says, its own light and paint; the rest is
-    GL_LIGHT0 on white."""
+    its lights on white."""
     boil: float = 0.0
     """New jitter a second."""
     tolerance: float = 0.0
@@ -54,18 +56,39 @@ def _shader() -> MeshShader:
 
 
 def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:
-    """One pass over all surfaces."""
+    """Passes over all surfaces, by the lights that each was drawn under."""
     if look.darkness <= 0.0:
         return
-    placed = any(layer.light[:3]) and all(map(isfinite, layer.light))
-    light = layer.light if placed and layer.light != (0.0, 0.0, 1.0, 0.0) else _UPPER_LEFT
+    lit, unlit = by_light(layer, "head")
+    for some in lit:
+        yield from _hatched(look, layer, some)
+    if layer.lighting is None:  # the program lights nothing, or the style did not ask
+        yield from _hatched(look, layer, Lit((Light(layer.light),), unlit))
+    else:
+        yield from _hatched(look, layer, Lit((), unlit))
+
+
+def _hatched(look: Hatching, layer: Layer, some: Lit) -> Iterator[Pass]:
+    """What is lit alike; without lamps it is as dark as its picture."""
+    if not some.bodies:
+        return
+    lights = [_placed(light) for light in some.lights if max(light.diffuse) > 0.0]
     uniforms: dict[str, Uniform] = {
-        "lamp": light, "ink": look.ink, "apart": look.apart, "darkness": look.darkness,
-        "by_picture": look.by_picture, "jitter": look.jitter,
+        **lamp_uniforms(tuple(lights), some.bodies),
+        "ink": look.ink, "apart": look.apart, "darkness": look.darkness,
+        "by_picture": look.by_picture if lights else 1.0, "jitter": look.jitter,
         "soft": look.soft, "coloured": look.coloured,
         "jitter_seed": float(floor(layer.time * look.boil) % 61),
     }  # fmt: skip
     yield Pass(
-        layer.bodies, _shader(), "surface", state=_STATE, uniforms=uniforms, image=grain(),
+        some.bodies, _shader(), "surface", state=_STATE, uniforms=uniforms, image=grain(),
         weld=Weld(look.tolerance, _CREASES), coat=ON,
     )  # fmt: skip
+
+
+def _placed(light: Light) -> Light:
+    """A light that shines from the viewer, as GL's own do until an app places them, would leave
+    nothing dark."""
+    position = light.position
+    placed = any(position[:3]) and all(map(isfinite, position))
+    return light if placed and position != (0.0, 0.0, 1.0, 0.0) else _UPPER_LEFT
