@@ -9,21 +9,28 @@ from glshim.errors import EnvironmentFault
 from glshim.running.headless import virtual_screen
 
 from .catalog import PROGRAMS, Program
+from .checkouts import starts_from
 from .everything import every_demo
-from .harness import PLAIN, run
-from .sources import SourceMissing
+from .harness import PLAIN, Run, run
+from .sources import Launch, SourceMissing
 
 
-def compare(program: Program, style: str, display: str, out: Path) -> list[str]:
+def compare(program: Program, style: str, display: str, out: Path,
+            start: Launch | SourceMissing | None = None) -> list[str]:
     """One row: plain against plain, against `none`, and the pixels that the style changes."""
+    def once(mode: str | None) -> Run:
+        return run(program, mode, display, start=start)
+
+    if isinstance(start, SourceMissing):
+        return [program.name, "-", "-", "-", str(start)]
     try:
-        plain, again = run(program, PLAIN, display), run(program, PLAIN, display)
+        plain, again = once(PLAIN), once(PLAIN)
     except SourceMissing as reason:
         return [program.name, "-", "-", "-", str(reason)]
     plain.save(out / f"{program.slug}.plain.png")
     if plain.fault():
         return [program.name, "-", "-", "-", "plain: " + plain.fault()]
-    none, styled = run(program, "none", display), run(program, style, display)
+    none, styled = once("none"), once(style)
     word = style.partition(":")[0]
     none.save(out / f"{program.slug}.none.png")
     saved = styled.save(out / f"{program.slug}.{word}.png")
@@ -55,8 +62,11 @@ def main() -> int:
                         help="the style beside none; by default with an ink that always shows")
     parser.add_argument("--all", action="store_true",
                         help="every fixed-function script of PyOpenGL-Demo, not only the list")
+    parser.add_argument("--checkouts", type=Path, metavar="FOLDER",
+                        help="the programs of tests/programs/checkouts.py, from clones in a folder")
     choice = parser.parse_args()
-    programs = every_demo() if choice.all else PROGRAMS
+    starts = starts_from(choice.checkouts.resolve()) if choice.checkouts else {}
+    programs = tuple(starts) or (every_demo() if choice.all else PROGRAMS)
     chosen = [p for p in programs if fnmatch.fnmatch(p.name, f"*{choice.only}*")]
     styled = choice.style.partition(":")[0]
     print(f"| program | plain == plain | none == plain | {styled}: changed px | picture |")
@@ -65,7 +75,8 @@ def main() -> int:
     try:
         with virtual_screen() as screen:
             for program in chosen:
-                row = compare(program, choice.style, screen["DISPLAY"], choice.out)
+                row = compare(program, choice.style, screen["DISPLAY"], choice.out,
+                              starts.get(program))
                 faults += "NO" in row[2] or row[2] == "-"
                 print("| " + " | ".join(row) + " |", flush=True)
     except EnvironmentFault as reason:

@@ -239,20 +239,24 @@ def freeze_pyglet(window: ModuleType, recorder: Recorder) -> None:
 
 def freeze_qt(widgets: ModuleType, recorder: Recorder) -> None:
     """Qt puts its widgets together unseen: take the whole screen once the windows stand still."""
-    run = widgets.QApplication.exec_
+    core = importlib.import_module(widgets.__name__.replace("QtWidgets", "QtCore"))
+    application = widgets.QApplication
 
     def look() -> None:
         picture = recorder.screen.grab_all()
         recorder.pictures.append(picture)
         recorder.finish()
 
-    def exec_(*arguments: Any) -> Any:
-        from PyQt5.QtCore import QTimer  # type: ignore[import-not-found]
+    def around_loop(run: Callable[..., Any]) -> Callable[..., Any]:
+        def loop(*_arguments: Any) -> Any:
+            core.QTimer.singleShot(2000, look)
+            return run()
 
-        QTimer.singleShot(2000, look)
-        return run()
+        return loop
 
-    widgets.QApplication.exec_ = exec_
+    for name in ("exec", "exec_"):
+        if hasattr(application, name):
+            setattr(application, name, around_loop(getattr(application, name)))
 
 
 def freeze_gl(gl: ModuleType, recorder: Recorder) -> None:
@@ -291,6 +295,7 @@ def main() -> None:
     hooks = {"OpenGL.GL": freeze_gl, "OpenGL.GLUT": freeze_glut, "pygame": freeze_pygame,
              "glfw": freeze_glfw, "OpenGL.GLX": freeze_glx, "tkinter": freeze_togl,
              "sdl2": freeze_sdl2, "pyglet.window": freeze_pyglet, "PyQt5.QtWidgets": freeze_qt,
+             "PyQt6.QtWidgets": freeze_qt, "PySide6.QtWidgets": freeze_qt,
              "wx.glcanvas": freeze_wx}
     sys.meta_path.insert(0, AfterImport(
         {name: lambda module, hook=hook: hook(module, recorder) for name, hook in hooks.items()}))

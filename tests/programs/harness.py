@@ -88,9 +88,11 @@ def environment(style: str | None, display: str, start: Launch,
     return kept
 
 
-def run(program: Program, style: str | None, display: str, limit: float = 60.0) -> Run:
-    """Run the program until it has presented its frames; `style` None leaves glshim out."""
-    start = launch(program)
+def run(program: Program, style: str | None, display: str, limit: float = 60.0,
+        start: Launch | None = None) -> Run:
+    """Run the program until it has presented its frames; `style` None leaves glshim out. `start`
+    says how where its source does not."""
+    start = start or launch(program)
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "frames.npz"
         log = Path(scratch) / "log"
