@@ -12,11 +12,11 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 
 from glshim import toolkits
 from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
-from glshim.driver.ask import reals
 from glshim.errors import RenderError
 from glshim.model.boxes import Unbacked
 from glshim.model.lights import MaterialChange, Materials
@@ -31,7 +31,6 @@ from glshim.sources.following.scene import Scene, say_unstyled
 from glshim.sources.following.silence import Silence
 from glshim.sources.lights import light
 from glshim.sources.state import DrawState
-from glshim.spec.constants import GL_COLOR_CLEAR_VALUE
 from glshim.spec.roles import Role
 from glshim.styling.asking import wanted
 from glshim.styling.enlarging import enlarged
@@ -199,9 +198,10 @@ class Pipeline:
         self.counted.draws += sum(map(_count, given))
         if not given:
             return
-        if self.styler is not None and self._silence.wants_colours:
-            cleared = reals(GL_COLOR_CLEAR_VALUE, 4)
-            self._silence.look_at(self.styler.name, inks_of(self.styler), cleared)
+        if self.styler is not None and self._silence.wants_colours and not layer.over:
+            self._silence.look_at(
+                self.styler.name, inks_of(self.styler), partial(self._brightness_behind, layer)
+            )
         refusals = []
         for output in self._outputs:
             try:
@@ -211,6 +211,10 @@ class Pipeline:
                 refusals.append(str(error))
         if len(refusals) == len(self._outputs):
             scene.unpainted = "; ".join(refusals)
+
+    def _brightness_behind(self, layer: Layer) -> float | None:
+        found = (output.brightness_behind(layer) for output in self._outputs)
+        return next((one for one in found if one is not None), None)
 
     def _frame_over(self) -> None:
         """A frame was presented."""

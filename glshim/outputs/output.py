@@ -111,6 +111,11 @@ class Output:
         where this output cannot show it."""
         raise NotImplementedError
 
+    def brightness_behind(self, layer: Layer) -> float | None:
+        """0..1, how bright the app's picture is behind a finished layer; None where that cannot be
+        known."""
+        return None
+
     def frame_ends(self) -> None:
         """A frame was presented: no layer of it comes any more."""
 

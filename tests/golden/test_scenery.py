@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from OpenGL import GL
 
 import glshim
+from glshim.outputs.gl.frame.behind import brightness_behind
 from tests.golden import scenery
 from tests.golden.scenery import HEIGHT, WIDTH
 
@@ -122,3 +123,15 @@ def test_hatching_goes_by_the_lights_of_the_draw() -> None:
         dark = found[90:130, middle - 55 : middle - 25]
         bright = found[170:205, middle + 10 : middle + 40]
         assert dark.mean() < bright.mean() - 20
+
+
+def test_how_bright_it_is_behind_is_seen_in_the_picture() -> None:
+    """Not in the colour that it was cleared with: a backdrop lies over that."""
+    found = {}
+    for scene in ("before_a_backdrop", "a_sun_without_light", "menu"):
+        scenery.draw(scene)
+        found[scene] = brightness_behind((0, 0, WIDTH, HEIGHT))
+        pygame.display.flip()
+    assert found["a_sun_without_light"] == 0.0
+    assert found["before_a_backdrop"] == pytest.approx(0.4, abs=0.1)
+    assert found["menu"] == pytest.approx(scenery.SKY[2], abs=0.01)

@@ -15,6 +15,7 @@ from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.background import lay
 from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
+from glshim.outputs.gl.frame.behind import brightness_behind
 from glshim.outputs.gl.frame.cover import Cover
 from glshim.outputs.output import Context, Destination, Given, Ink, Output
 from glshim.styling.protocol import BackFaces, Colour, Layer, Styler
@@ -94,6 +95,9 @@ class Picture(Output):
             except Lost:
                 self._lost()
                 self._backend(context).render(others, destination)
+
+    def brightness_behind(self, layer: Layer) -> float | None:
+        return brightness_behind(layer.items[0][1].viewport)
 
     def forget(self, handle: int) -> None:
         self._cover.forget(handle)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from glshim.notices import say
 from glshim.sources.following import census
@@ -12,6 +12,8 @@ from glshim.sources.programs.source import IN_USE
 
 FRAMES, SECONDS = 60, 2.0
 """Without a line: after so many frames, or so long after the first, that is no accident."""
+_LOOKS = 4
+"""At what is behind layers, each of which reads the picture: the first frames may be blank."""
 DARK = 0.3
 """Of the brightest channel, at most."""
 
@@ -71,6 +73,8 @@ class Silence:
         """It is said, or there are lines."""
         self._lines = False
         self._hinted = False
+        self._looks = 0
+        """At what is behind layers."""
 
     def layer_ends(self) -> None:
         """Lines are added; they are seen if the end of the frame is."""
@@ -104,16 +108,19 @@ class Silence:
     @property
     def wants_colours(self) -> bool:
         """Whether a hint on colours may still come."""
-        return not self._hinted and self._frames < FRAMES
+        return not self._hinted and self._looks < _LOOKS
 
     def look_at(
-        self, style: str, inks: Mapping[str, tuple[float, ...]], cleared: tuple[float, ...]
+        self, style: str, inks: Mapping[str, tuple[float, ...]],
+        brightness_behind: Callable[[], float | None],
     ) -> None:
-        """Lines of these colours, by the style's options, go over a picture that was cleared in
-        that one."""
-        if not self.wants_colours or not self._census.colour_cleared or not inks:
+        """Lines of these colours, by the style's options, go over a picture that is so bright
+        behind them, 0..1; None: nobody knows."""
+        self._looks += 1
+        if not inks or max(map(max, inks.values())) > DARK:
             return
-        if max(cleared[:3]) <= DARK and max(map(max, inks.values())) <= DARK:
+        behind = brightness_behind()
+        if behind is not None and behind <= DARK:
             self._hinted = True
             say(
                 "the program's background is dark, and dark lines can hardly be seen on it: try "
