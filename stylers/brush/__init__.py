@@ -69,7 +69,7 @@ class Brush(ByHand):
     own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
-        yield from painted(Paint(self.paper, self.tint, self.dab, self.boil), layer)
+        yield from painted(Paint(self.paper, self.tint, self.dab, self.boil, tolerance=self.tolerance), layer)
 
         def medium(look: Strokes) -> Medium:
             return brush(

@@ -8,7 +8,7 @@ from functools import cache
 from math import floor
 
 from glshim.styling.glsl import glsl
-from glshim.styling.passes import MeshShader, Pass
+from glshim.styling.passes import MeshShader, Pass, Weld
 from glshim.styling.protocol import Colour, Layer
 
 from ..shared.hand.paper import laid
@@ -27,11 +27,13 @@ class Paint:
     boil: float = 0.0
     """Times a second that the dabs are laid anew."""
     seed: int = 0
+    tolerance: float = 0.0
+    """Object units at which corners are one."""
 
 
 @cache
 def _shader() -> MeshShader:
-    return tone_shader("paint", glsl(__file__, "paint.frag"))
+    return tone_shader("paint", glsl(__file__, "paint.frag"), on_object=True)
 
 
 def painted(paint: Paint, layer: Layer) -> Iterator[Pass]:
@@ -40,4 +42,4 @@ def painted(paint: Paint, layer: Layer) -> Iterator[Pass]:
     yield from laid(_shader(), layer, {
         "paper": paint.paper, "ink": (0.0, 0.0, 0.0), "tint": paint.tint, "dab": paint.dab,
         "dab_seed": float(tick + 61 * (paint.seed % 61)),
-    })  # fmt: skip
+    }, Weld(paint.tolerance))  # fmt: skip

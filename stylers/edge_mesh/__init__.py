@@ -117,7 +117,7 @@ class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Con
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Tones, and over them strokes of the chains of all batches, or passes over them. Batches
         that share a camera are one mesh."""
-        yield from tone_passes(self.tone, self.paper, self.ink, layer)
+        yield from tone_passes(self.tone, self.paper, self.ink, layer, self.tolerance)
         if self.strokes != "chained":
             yield from paper_passes(self._look(), layer)
             return

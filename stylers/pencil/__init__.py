@@ -14,13 +14,13 @@ from typing import ClassVar
 
 from glshim.styling.lines import Medium
 from glshim.styling.media.hand import pencil
-from glshim.styling.passes import Pass
+from glshim.styling.passes import Pass, Weld
 from glshim.styling.protocol import Colour, Layer, Lines, option
 from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
 from ..shared.hand import ByHand, Strokes
-from ..shared.hand.hatching import Hatching, hatched
+from ..shared.hand.hatching import CREASES, Hatching, hatched
 from ..shared.kinds import USUAL, former_names
 from .rubbing import Rubbing, rubbed
 
@@ -68,7 +68,8 @@ class Pencil(ByHand):
         return self.hatching > 0.0
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
-        yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured), layer)
+        weld = Weld(self.tolerance, CREASES) if self.hatching > 0.0 else Weld(self.tolerance)
+        yield from rubbed(Rubbing(self.paper, self.ink, self.rubbing, self.coloured, weld), layer)
         yield from hatched(
             Hatching(
                 self.ink, self.hatching, apart=4.0 * layer.scale, jitter=2.2 * layer.scale,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from glshim.styling.glsl import glsl
-from glshim.styling.passes import MeshShader, Pass
+from glshim.styling.passes import MeshShader, Pass, Weld
 from glshim.styling.protocol import Colour, Layer
 
 from ..shared.hand.paper import laid
@@ -24,15 +24,17 @@ class Rubbing:
     """Of the tone, 0..1; 0: bare paper."""
     coloured: float = 0.0
     """Share of the program's own colours in it, 0..1."""
+    weld: Weld = Weld()
+    """Of the meshes that hold it."""
 
 
 @cache
 def _shader() -> MeshShader:
-    return tone_shader("rubbing", glsl(__file__, "rubbing.frag"))
+    return tone_shader("rubbing", glsl(__file__, "rubbing.frag"), on_object=True)
 
 
 def rubbed(look: Rubbing, layer: Layer) -> Iterator[Pass]:
     """Paper with tones rubbed into it."""
     yield from laid(_shader(), layer, {
         "paper": look.paper, "ink": look.ink, "strength": look.strength, "coloured": look.coloured,
-    })  # fmt: skip
+    }, look.weld)  # fmt: skip

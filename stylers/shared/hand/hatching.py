@@ -18,7 +18,7 @@ from ..tones import grain
 
 ON = -1
 """The coat: over the paper, under the lines."""
-_CREASES = Criterion("angle", radians(50.0), radians(1.0))
+CREASES = Criterion("angle", radians(50.0), radians(1.0))
 """Light breaks where triangles meet at an angle. Facets of what is round, flat as an app may shade
 them, have the mean of their normals: a hand does not hatch facet by facet."""
 _STATE = State(depth="lequal", blend="off", offset=(-1.0, -4.0))
@@ -82,7 +82,7 @@ def _hatched(look: Hatching, layer: Layer, some: Lit) -> Iterator[Pass]:
     }  # fmt: skip
     yield Pass(
         some.bodies, _shader(), "surface", state=_STATE, uniforms=uniforms, image=grain(),
-        weld=Weld(look.tolerance, _CREASES), coat=ON,
+        weld=Weld(look.tolerance, CREASES), coat=ON,
     )  # fmt: skip
 
 

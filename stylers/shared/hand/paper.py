@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from glshim.styling.glsl import glsl
-from glshim.styling.passes import MeshShader, Pass
+from glshim.styling.passes import MeshShader, Pass, Weld
 from glshim.styling.protocol import Colour, Layer
 from glshim.styling.values import Uniform
 
@@ -47,7 +47,10 @@ def under(paper: Paper, layer: Layer) -> Iterator[Pass]:
     })  # fmt: skip
 
 
-def laid(shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform]) -> Iterator[Pass]:
+def laid(
+    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], weld: Weld = Weld()
+) -> Iterator[Pass]:
     """A `tone_shader` over every window, under all that is drawn by hand. A layer over another lies
-    on that one's paper, but for the surfaces of a view of its own."""
-    yield from over_windows(shader, layer, uniforms, _UNDER)
+    on that one's paper, but for the surfaces of a view of its own. weld: of meshes that hold
+    patterns."""
+    yield from over_windows(shader, layer, uniforms, _UNDER, weld=weld)

@@ -17,11 +17,13 @@ from numpy.random import default_rng
 from glshim.model.boxes import Box, overlap, without
 from glshim.model.camera import Camera
 from glshim.styling.glsl import glsl
-from glshim.styling.passes import MeshShader, Pass, State
+from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.pictures import Image
 from glshim.styling.screen import SCREEN
 from glshim.styling.textures.fields import Doubles, even, noise
 from glshim.styling.values import Body, Colour, Layer, Uniform
+
+from ..held import HELD, held
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
 WHITE: Colour = (0.985, 0.975, 0.95)
@@ -33,26 +35,32 @@ _UNDER = -1
 """The coat: lines go over it."""
 
 
-def tone_shader(name: str, fragment: str) -> MeshShader:
-    """A shader over the pixels of a window: a fragment text that follows ``tone.glsl``."""
+def tone_shader(name: str, fragment: str, *, on_object: bool = False) -> MeshShader:
+    """A shader over the pixels of a window: a fragment text that follows ``tone.glsl``, and with
+    on_object ``held.glsl``."""
+    text = glsl(__file__, "tone") + (HELD if on_object else "") + fragment
     return MeshShader(
-        name, SCREEN, glsl(__file__, "tone") + fragment, needs=("app_colour",)
+        name, SCREEN, text, needs=("app_colour", "gbuffer") if on_object else ("app_colour",)
     )
 
 
+_ON_OBJECT = ("hatch", "grain", "wash")
+"""Tones with patterns."""
 _SHADERS = {
-    name: tone_shader(f"tone {name}", glsl(__file__, f"tone_{name}.frag"))
+    name: tone_shader(
+        f"tone {name}", glsl(__file__, f"tone_{name}.frag"), on_object=name in _ON_OBJECT
+    )
     for name in ("app", *TONES)
 }
 
 
 def over_windows(
     shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int, *,
-    paper: bool = True, tones: bool = True,
+    paper: bool = True, tones: bool = True, weld: Weld = Weld(),
 ) -> Iterator[Pass]:
     """A `tone_shader` over every window of a layer. paper: whether that lies behind the surfaces,
     in what the layer has of the picture for itself; tones: whether surfaces over others are laid
-    in, which they are once where they share a depth."""
+    in, which they are once where they share a depth; weld: of meshes that hold patterns."""
     windows = {body.camera.viewport: body for body in layer.bodies}
     parts: list[tuple[bool, list[Body]]] = []
     if not layer.over:
@@ -62,6 +70,8 @@ def over_windows(
         parts.append((True, bare))
         if tones and layer.fresh:
             parts.append((False, rest if bare else [_seen(body) for body in windows.values()]))
+    if "gbuffer" in (shader.needs or ()) and any(screens for _, screens in parts):
+        yield from held(layer, coat, weld)
     for behind, screens in parts:
         if screens:
             yield Pass(
@@ -87,11 +97,13 @@ def _parted(
 
 
 def tone_passes(
-    tone: str, paper: str | Colour, ink: Colour, layer: Layer, *, scenery: float = 1.0
+    tone: str, paper: str | Colour, ink: Colour, layer: Layer, tolerance: float = 0.0, *,
+    scenery: float = 1.0,
 ) -> Iterator[Pass]:
     """One pass over every viewport, unless all stays as the app drew it. tone: ``app`` or one of
-    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand; scenery:
-    share of its own colours that what has no depth keeps under ``app``.
+    `TONES`; paper: ``app`` or the colour of the background; ink: of what is drawn by hand;
+    tolerance: object units at which corners are one; scenery: share of its own colours that what
+    has no depth keeps under ``app``.
 
     A layer has no paper of its own where it lies over another, and no tone where it shares that
     one's depth: that has laid the surfaces in."""
@@ -102,7 +114,7 @@ def tone_passes(
     }  # fmt: skip
     yield from over_windows(
         _SHADERS[tone], layer, uniforms, _UNDER,
-        paper=not isinstance(paper, str), tones=tone != "app",
+        paper=not isinstance(paper, str), tones=tone != "app", weld=Weld(tolerance),
     )  # fmt: skip
 
 

@@ -1,5 +1,5 @@
 // What:   charcoal rubbed on paper: it stays on the tooth, the more of it the darker.
-// Inputs: tone.glsl; the brightness of the app's picture.
+// Inputs: tone.glsl, held.glsl; the brightness of the app's picture.
 // Source: A. Majumder, M. Gopi, "Hardware Accelerated Real Time Charcoal Rendering", NPAR 2002:
 //         contrast is raised, and the paper's grain decides what is covered.
 
@@ -11,13 +11,12 @@ void main() {
     if (drawn) {
         float dark = pow(1.0 - smoothstep(0.0, 0.95, brightness(shown(at))), 1.3);
         // The stick goes along one way, the paper's tooth catches it.
-        vec2 turned = vec2(0.8 * spot.x + 0.6 * spot.y, 0.8 * spot.y - 0.6 * spot.x);
-        vec2 drawn_out = turned * vec2(1.0, 0.1);
-        float tooth = mix(grain(spot).r, grain(drawn_out, 1.3).r, 0.5);
-        float sweep = grain(turned * vec2(1.0, 0.15), 0.4).g - 0.5;
+        Held h = held_at(at);
+        float grains = mix(tooth(h, 1.0).r, tooth(drawn_out(h, 10.0), 1.3).r, 0.5);
+        float sweep = cloud(drawn_out(h, 6.5), 0.4).g - 0.5;
         float press = dark * (1.0 + 0.35 * sweep) + 0.08 * sweep;
         float smear = 0.6 * press;  // what a finger rubs into the paper
-        float caught = clamp((press - tooth) / 0.55 + 0.45, 0.0, 1.0);
+        float caught = clamp((press - grains) / 0.55 + 0.45, 0.0, 1.0);
         cover = mix(smear, 0.92, caught * smoothstep(0.02, 0.5, press));
         cover = clamp(cover, 0.0, 0.95);
     }

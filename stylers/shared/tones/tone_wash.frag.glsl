@@ -1,5 +1,5 @@
 // What:   a watercolour wash: pale, uneven, with pigment that gathers at its borders and in the grain.
-// Inputs: tone.glsl.
+// Inputs: tone.glsl, held.glsl.
 // Source: A. Bousseau et al., "Interactive Watercolor Rendering with Temporal Coherence and
 //         Abstraction", NPAR 2006: edges that wobble and darken, turbulence, and the paper, all of
 //         which change the density of the pigment, here by Beer's law.
@@ -23,8 +23,9 @@ vec2 spilled(vec2 place) {
 
 void main() {
     vec2 at = gl_FragCoord.xy, spot = on_paper(at);
-    vec3 fine = grain(spot), wide = grain(spot, 3.0);
     if (behind == 0 && !surface(at)) discard;
+    Held h = held_at(spilled(at));
+    vec3 fine = cloud(h, 1.0), wide = cloud(h, 3.0);
     vec2 place = at + 5.0 * shot.z * (fine.gb - 0.5);
     if (behind == 1) place = spilled(place);
     else if (!surface(place)) place = at;
@@ -49,7 +50,7 @@ void main() {
     float dried = smoothstep(0.35, 0.8, within) * (1.0 - smoothstep(0.8, 0.98, within));
     vec3 pigment = here / value * mix(value, min(exp2(washed / WASHES), 1.0), 0.6);
     pigment = clamp(mix(vec3(brightness(pigment)), pigment, 1.35), 0.07, 0.98);
-    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5) + 0.22 * (fine.r - 0.5)
+    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5) + 0.22 * (tooth(h, 1.0).r - 0.5)
                   + 0.12 * dried + 0.8 * smoothstep(0.05, 0.35, rim);
     colour = vec4(sheet * pow(pigment, vec3(max(density, 0.1))), 1.0);
 }
