@@ -69,7 +69,8 @@ class Brush(ByHand):
     own_ink: str = options.own_ink()
 
     def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
-        yield from painted(Paint(self.paper, self.tint, self.dab, self.boil, tolerance=self.tolerance), layer)
+        paint = Paint(self.paper, self.tint, self.dab, self.boil, tolerance=self.tolerance)
+        yield from painted(paint, layer)
 
         def medium(look: Strokes) -> Medium:
             return brush(

@@ -98,18 +98,18 @@ void main() {
         float turn = 0.7854 * float(k);
         near = near || surface(at + shot.z * SPILL * (0.4 + grain(spot, 2.0).g) * vec2(cos(turn), sin(turn)));
     }
-    vec2 beside = at + 5.0 * shot.z * (grain(spot, 1.0).gb - 0.5);
+    About a = about(at);
+    vec2 beside = at + 5.0 * shot.z * (cloud(a.held, 1.0).gb - 0.5);
     vec3 edge = surface(beside) ? shown(beside) : shown(at);
     if (within) paint = vec4(shown(at), 1.0) * 0.97;
     float rows = near && tint > 0.0 ? 2.0 : 0.0;
     // Of sizes that double two are there at a time, so that dabs on the screen keep theirs.
-    About a = about(at);
     float pixel = exp2(a.held.level), level = log2(SIZE * dab * pixel), fine = floor(level), part = level - fine;
     paint = dabbed(paint, at, a, edge, exp2(fine + 1.0), pixel, smoothstep(0.0, 0.6, part), rows);
     paint = dabbed(paint, at, a, edge, exp2(fine), pixel, 1.0 - smoothstep(0.4, 1.0, part), rows);
     // As thick paint is: a little purer than the program's.
     float grey = brightness(paint.rgb);
     paint.rgb = clamp(mix(vec3(grey), paint.rgb, 1.25), 0.0, paint.a);
-    float tooth = 1.0 - 0.1 * (grain(spot).r - 0.5);
-    colour = vec4(mix(sheet, sheet * (1.0 - paint.a) + paint.rgb * tooth, tint), 1.0);
+    float bite = 1.0 - 0.1 * (tooth(a.held, 0.6).r - 0.5);
+    colour = vec4(mix(sheet, sheet * (1.0 - paint.a) + paint.rgb * bite, tint), 1.0);
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 
 from glshim.styling.glsl import glsl
@@ -24,7 +24,7 @@ class Rubbing:
     """Of the tone, 0..1; 0: bare paper."""
     coloured: float = 0.0
     """Share of the program's own colours in it, 0..1."""
-    weld: Weld = Weld()
+    weld: Weld = field(default_factory=Weld)
     """Of the meshes that hold it."""
 
 

@@ -20,6 +20,7 @@ import argparse
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from multiprocessing import get_context
 
 import numpy as np
 
@@ -30,6 +31,7 @@ from glshim.styling import registry
 from glshim.styling.composite import is_line
 from glshim.styling.fixed import BackFaces
 from glshim.styling.lines import Lines
+from glshim.styling.passes import Pass
 from glshim.styling.protocol import Layer, Styler
 from glshim.styling.texts import parse_style
 from tests import look
@@ -124,6 +126,14 @@ class Studio:
         surfaces = self._drawn(frame, others, surface, BACKGROUND) if others else None
         return Shown(frame, depth, whole, ink, surfaces, base, samples)
 
+    def surfaces(self, frame: Frame, *, holds: bool = True) -> np.ndarray:
+        """(H, W, 3) without lines; holds: whether passes know where surfaces lie on their objects.
+        """
+        draws = [draw for draw in self.style.draws(Layer(frame)) if not is_line(draw)]
+        kept = [draw for draw in draws
+                if holds or not (isinstance(draw, Pass) and draw.element != "screen")]  # fmt: skip
+        return self._drawn(frame, kept, self.style.surface, BACKGROUND)
+
     def _drawn(self, frame: Frame, draws: Sequence, surface: object, shade: float) -> np.ndarray:
         carry.clear(shade)
         carry.draw_base(frame, self.shades, surface)
@@ -193,23 +203,32 @@ def main(given: list[str]) -> int:
     motions = args.motion or tuple(MOTIONS)
     kept = [("style", True), ("motion", args.motions), ("subject", args.subjects)]
     labels = [label for label, wanted in kept if wanted]
-    print("| " + " | ".join(labels) + " | " + HEAD + "---|" * len(labels) + "--:|" * 5)
-    made = {name: subject(name) for name in names}  # programs have windows of their own
-    with look.window(WIDTH, HEIGHT):
-        carrier = Carrier(WIDTH, HEIGHT)
-        for text in styles:
-            rows: dict[tuple[str, ...], Result] = {}
-            for name, frames in made.items():
-                for motion in motions:
-                    if not fits(motion, frames, args.frames):
-                        continue
-                    cells = {"style": f"`{text}`", "motion": motion, "subject": name}
-                    key = tuple(cells[label] for label in labels)
-                    found = measured(parse_style(text), motion, name, args.frames, carrier)
-                    rows.setdefault(key, Result()).add(found)
-            for key, result in rows.items():
-                print("| " + " | ".join(key) + f" | {result.row()} |", flush=True)
+    print("| " + " | ".join(labels) + " | " + HEAD + "---|" * len(labels) + "--:|" * 5, flush=True)
+    for text in styles:
+        # A process each: contexts keep what was made in them.
+        work = (text, tuple(names), tuple(motions), tuple(labels), args.frames)
+        with get_context("spawn").Pool(1) as one:
+            for row in one.apply(rows_of, work):
+                print(row, flush=True)
     return 0
+
+
+def rows_of(
+    text: str, names: tuple[str, ...], motions: tuple[str, ...], labels: tuple[str, ...], count: int
+) -> list[str]:
+    """The rows of a style."""
+    rows: dict[tuple[str, ...], Result] = {}
+    for name in names:
+        frames = subject(name)  # programs have windows of their own
+        for motion in motions:
+            if not fits(motion, frames, count):
+                continue
+            with look.window(WIDTH, HEIGHT):
+                carrier = Carrier(WIDTH, HEIGHT)
+                found = measured(parse_style(text), motion, name, count, carrier)
+            cells = {"style": f"`{text}`", "motion": motion, "subject": name}
+            rows.setdefault(tuple(cells[label] for label in labels), Result()).add(found)
+    return ["| " + " | ".join(key) + f" | {result.row()} |" for key, result in rows.items()]
 
 
 if __name__ == "__main__":

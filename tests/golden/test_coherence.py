@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from glshim.styling.texts import parse_style
 from tests import look
 from tests.coherence import pixels
+from tests.coherence.__main__ import Studio
 from tests.coherence.carry import Carrier, clear, draw_base
 from tests.coherence.motions import MOTIONS
 from tests.coherence.subjects import HEIGHT, WIDTH, colours, solids
@@ -71,6 +73,25 @@ def test_a_line_that_goes_is_told_and_one_that_is_carried_is_not(pair):
     then[:, 200:] = False
     missed, told = pixels.lost(kept, then, motion, near)
     assert 0.25 * told < missed < 0.75 * told
+
+
+@pytest.mark.parametrize("text", ["brush", "pencil", "watercolour", "charcoal", "pen_and_ink"])
+def test_patterns_of_surfaces_lie_on_the_object(carrier, text):
+    """They stay within a third of the pixels by which surfaces move; where nothing is known of
+    these, as before, they stand still on the screen."""
+    style = parse_style(text)
+    one, other = (MOTIONS["pan"](FRAMES, k) for k in (0, 1))
+    found = []
+    for holds in (True, False):
+        studio = Studio(style, FRAMES)
+        pictures = [studio.surfaces(frame, holds=holds) for frame in (one, other)]
+        drift = pixels.Drift()
+        depth = look.depths(WIDTH, HEIGHT)
+        drift.add(*pictures, shown(one)[0], carrier.motion(one, other, depth))
+        found.append(drift.mean)
+    held, still = found
+    assert still > 1.9
+    assert held < 0.9
 
 
 def test_a_skeleton_is_as_long_as_its_stroke():

@@ -48,7 +48,7 @@ def under(paper: Paper, layer: Layer) -> Iterator[Pass]:
 
 
 def laid(
-    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], weld: Weld = Weld()
+    shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], weld: Weld | None = None
 ) -> Iterator[Pass]:
     """A `tone_shader` over every window, under all that is drawn by hand. A layer over another lies
     on that one's paper, but for the surfaces of a view of its own. weld: of meshes that hold

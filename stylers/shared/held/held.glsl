@@ -42,10 +42,14 @@ Held drawn_out(Held h, float factor) {
     return h;
 }
 
+// A place of the grain at which its clouds are of a middling density: the middle of an object, about
+// which all octaves are alike.
+const vec2 MIDDLE = vec2(368.0, 348.0) / 512.0;
+
 // The paper's grain as the slices of a solid, so many pixels of it apart.
 vec3 solid(vec3 p, float apart) {
     float slice = floor(p.z / apart), part = p.z / apart - slice;
-    vec2 here = p.xy / 512.0 + slice * vec2(0.7548777, 0.5698403), there = here + vec2(0.7548777, 0.5698403);
+    vec2 here = p.xy / 512.0 + MIDDLE + slice * vec2(0.7548777, 0.5698403), there = here + vec2(0.7548777, 0.5698403);
     vec3 a = textureLod(stroke, fract(here), 0.0).rgb, b = textureLod(stroke, fract(there), 0.0).rgb;
     return (mix(a, b, part) - 0.5) * inversesqrt(part * part + (1.0 - part) * (1.0 - part));
 }
@@ -61,5 +65,9 @@ vec3 grain(Held h, float factor, float apart) {
 
 const float TOOTH = 2.5, CLOUD = 16.0;  // pixels of the grain from slice to slice
 
-vec3 tooth(Held h, float factor) { return grain(h, factor, TOOTH); }
+// The tooth keeps its bite, which interpolation takes from it.
+vec3 tooth(Held h, float factor) {
+    vec3 found = grain(h, factor, TOOTH);
+    return h.known ? clamp(0.5 + 1.35 * (found - 0.5), 0.0, 1.0) : found;
+}
 vec3 cloud(Held h, float factor) { return grain(h, factor, CLOUD); }

@@ -56,7 +56,7 @@ _SHADERS = {
 
 def over_windows(
     shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int, *,
-    paper: bool = True, tones: bool = True, weld: Weld = Weld(),
+    paper: bool = True, tones: bool = True, weld: Weld | None = None,
 ) -> Iterator[Pass]:
     """A `tone_shader` over every window of a layer. paper: whether that lies behind the surfaces,
     in what the layer has of the picture for itself; tones: whether surfaces over others are laid
@@ -71,7 +71,7 @@ def over_windows(
         if tones and layer.fresh:
             parts.append((False, rest if bare else [_seen(body) for body in windows.values()]))
     if "gbuffer" in (shader.needs or ()) and any(screens for _, screens in parts):
-        yield from held(layer, coat, weld)
+        yield from held(layer, coat, weld or Weld())
     for behind, screens in parts:
         if screens:
             yield Pass(

@@ -50,7 +50,7 @@ void main() {
     float dried = smoothstep(0.35, 0.8, within) * (1.0 - smoothstep(0.8, 0.98, within));
     vec3 pigment = here / value * mix(value, min(exp2(washed / WASHES), 1.0), 0.6);
     pigment = clamp(mix(vec3(brightness(pigment)), pigment, 1.35), 0.07, 0.98);
-    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5) + 0.22 * (tooth(h, 1.0).r - 0.5)
+    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5) + 0.18 * (tooth(h, 0.6).r - 0.5)
                   + 0.12 * dried + 0.8 * smoothstep(0.05, 0.35, rim);
     colour = vec4(sheet * pow(pigment, vec3(max(density, 0.1))), 1.0);
 }
