@@ -353,6 +353,32 @@ def before_a_backdrop():
     box((0.0, 0.0, 0.0), 1.0)
 
 
+def on_a_picture():
+    """A ball on a table that is a picture: one textured quad, flat and without depth."""
+    look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
+    glPushMatrix()
+    flat()
+    pixels = bytes((40, 140, 60) * 16)
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels)
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
+    glEnable(GL_TEXTURE_2D)
+    glColor3f(1.0, 1.0, 1.0)
+    glBegin(GL_QUADS)
+    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+        glTexCoord2f(0.5 + 0.5 * x, 0.5 + 0.5 * y)
+        glVertex2f(x, y)
+    glEnd()
+    glDisable(GL_TEXTURE_2D)
+    glEnable(GL_DEPTH_TEST)
+    glMatrixMode(GL_PROJECTION)
+    gluPerspective(50.0, WIDTH / HEIGHT, 0.1, 3000.0)
+    glMatrixMode(GL_MODELVIEW)
+    glPopMatrix()
+    light((2.0, 5.0, 4.0, 0.0))
+    ball(1.0)
+
+
 SCENES = {
     function.__name__: function
     for function in (
@@ -361,7 +387,7 @@ SCENES = {
         chequers_in_a_list_that_says_how, road_without_depth_writes, road_without_depth_test,
         coloured_lamps, lamps_that_change, a_sun_without_light,
         coarse_balls, blended, menu, before_a_backdrop, glass_without_depth, glass_with_depth,
-        in_fog,
+        in_fog, on_a_picture,
     )
 }  # fmt: skip
 

@@ -26,11 +26,14 @@ def window() -> Iterator[None]:
     pygame.display.quit()
 
 
-def shown(scene: str, style: str = "") -> Picture:
-    """(HEIGHT, WIDTH, 3) of 0..255, from below upwards."""
+def shown(scene: str, style: str = "", frames: int = 1) -> Picture:
+    """(HEIGHT, WIDTH, 3) of 0..255, the last frame, from below upwards."""
     if style:
         glshim.install(style)
     try:
+        for _ in range(frames - 1):
+            scenery.draw(scene)
+            pygame.display.flip()
         scenery.draw(scene)
         pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
         pygame.display.flip()
@@ -82,6 +85,12 @@ def test_what_is_blended_is_blended_with_the_paper() -> None:
 def test_a_picture_without_solids_keeps_its_background() -> None:
     """A menu on its own ground: paper comes with what it lies behind."""
     assert (shown("menu", "technical") == shown("menu")).all()
+
+
+def test_a_picture_behind_all_is_scenery() -> None:
+    """From the second frame on: until then it may be a menu."""
+    found = shown("on_a_picture", "technical", frames=2)
+    assert np.abs(np.median(found[200:, :80], axis=(0, 1)) - (40, 140, 60)).max() < 8
 
 
 def test_a_backdrop_is_no_scenery() -> None:

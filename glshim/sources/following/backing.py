@@ -30,10 +30,10 @@ class Backing:
         """Whether it was laid anywhere in a framebuffer."""
         return self._laid.has(framebuffer)
 
-    def fits(self, polygons: bool) -> bool:
+    def fits(self, polygons: bool, *, flat: bool) -> bool:
         """Whether it goes below what is drawn without depth. polygons: else lines, of which alone
-        some programs are made."""
-        return polygons if self._proven is None else self._proven
+        some programs are made. flat: which a menu may be."""
+        return polygons and not flat if self._proven is None else self._proven
 
     def add(self, framebuffer: int, boxes: Iterable[Box]) -> None:
         """It was laid there."""

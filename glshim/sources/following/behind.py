@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from glshim.driver.ask import is_enabled
 from glshim.sources.following.faults import styling
 from glshim.sources.following.scene import Scene
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.state import DrawState
+from glshim.spec.constants import GL_BLEND, GL_TEXTURE_2D
 from glshim.system.interrupts import Held
+
+
+def _is_pictured() -> bool:
+    """Whether polygons show a picture: not text, which is blended, and no plain colours."""
+    return is_enabled(GL_TEXTURE_2D) and not is_enabled(GL_BLEND)
 
 
 def lay_behind(
@@ -15,6 +22,9 @@ def lay_behind(
     """Something is about to be drawn: lay the background, where it is not there yet. carries: it is
     polygons of a layer; polygons: any."""
     if scene.condition.discards or state.program:
+        return
+    backdrop = state.flat and not carries
+    if backdrop and not (polygons and scene.layer.backing.awaited and _is_pictured()):
         return
     places = scene.layer.unbacked(state, carries=carries, polygons=polygons)
     if places is None:

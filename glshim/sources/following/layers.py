@@ -206,11 +206,13 @@ class LayerCollector:
     def unbacked(self, state: DrawState, *, carries: bool, polygons: bool) -> Unbacked | None:
         """Where the style's background is to be laid before a draw in this state: in its view,
         where nothing lies yet but what the program has behind it all. carries: it is polygons of a
-        layer; polygons: any. Flat pictures without a layer are backdrops, menus and HUDs."""
+        layer; polygons: any. Flat ones without a layer are backdrops, menus and HUDs, and belong to
+        a scene where the last frame was known to have one."""
         view = state.framebuffer, state.camera.viewport
         if view == self._backed and not self.backing.awaited:
             return None
-        if not carries and (state.flat or not state.rendered or not self.backing.fits(polygons)):
+        fits = self.backing.fits(polygons, flat=state.flat)
+        if not carries and not (state.rendered and fits):
             return None
         self._backed = view
         free = self._pictures.free(state.framebuffer, (state.camera.viewport,))
