@@ -20,6 +20,8 @@ from glshim.toolkits.moment import Moment, real_clock, real_sleep
 PATIENCE = 8.0
 """Seconds without a frame after which a program that shows frames on demand is done; three times
 its longest wait so far where that is more."""
+_AT_WORK = 8.0
+"""Times that patience, as long as it draws, or the style does."""
 _IDLE = 0.25
 """Share of one processor that a program takes at most while it waits for something to happen."""
 _LOOK = 0.1
@@ -48,6 +50,14 @@ def watch(
     threading.Thread(target=watcher.run, name="glshim-rest", daemon=True).start()
 
 
+def draws() -> int:
+    """Draws of the program's that a style has looked at so far."""
+    from glshim import pipeline  # which a program that ends early may never need
+
+    census = pipeline.census()
+    return 0 if census is None else census.draws()
+
+
 class _Watcher:
     def __init__(
         self, shown: Callable[[], int], moment: Moment | None, patience: Callable[[], float]
@@ -57,6 +67,8 @@ class _Watcher:
         self._since = self._worked = real_clock()
         self._pause = RESTS
         self._asked = self._done = False
+        self._drawn, self._drew = 0, self._since
+        """Draws so far, and when there was one last."""
         self._alarms, self._skipped = 0, self._since
         """Timers since the last frame, and when the last one came."""
 
@@ -78,6 +90,9 @@ class _Watcher:
                 self._longest = max(self._longest, now - self._since)
             self._seen, self._since = shown, now
             self._alarms = 0
+        drawn = draws()
+        if drawn != self._drawn or frames.showing():
+            self._drawn, self._drew = drawn, now
         rests = now - max(self._since, self._worked)
         if self._moment is not None and self._waits_for_an_alarm(self._moment, rests):
             if now - self._skipped > _NEXT_ALARM:
@@ -88,7 +103,9 @@ class _Watcher:
             return
         # Loops of toolkits that stand still are never idle.
         silent = rests if self._moment is None else now - self._since
-        if silent > max(PATIENCE, 3.0 * self._longest) * self._patience():
+        patience = max(PATIENCE, 3.0 * self._longest) * self._patience()
+        silent_at_work = min(silent, now - self._drew)
+        if silent_at_work > patience or silent > _AT_WORK * patience:
             self._end()
         elif not self._asked and not frames.leaving() and rests > self._pause_now():
             self._asked = True

@@ -160,6 +160,11 @@ def present(
         return swap(*arguments, **named)
 
 
+def showing() -> bool:
+    """Whether some thread is showing a frame: a style may be at work on it."""
+    return bool(_showing)
+
+
 class Ending:
     """The end of a frame that is shown between two calls of the toolkit's: for hooks that hear of
     both and make neither."""

@@ -76,6 +76,24 @@ def test_one_that_works_is_left_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     assert world.log == []
 
 
+@pytest.mark.parametrize("at_work", ["draws", "showing"])
+def test_one_that_draws_for_long_is_left_more_time(
+    at_work: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    moment = Moment()
+    world = World(monkeypatch, moment)
+    world.frames, world.answers = 1, False
+    count = iter(range(1 << 20))
+    if at_work == "draws":
+        monkeypatch.setattr(rest, "draws", lambda: next(count))
+    else:
+        monkeypatch.setattr(frames, "_showing", {1})
+    world.wait(rest.PATIENCE * 4)
+    assert "left" not in world.log
+    world.wait(rest.PATIENCE * 4 + 0.1)  # it may draw for ever without showing it
+    assert world.log[-1] == "left"
+
+
 def test_a_test_runner_is_not_ended(monkeypatch: pytest.MonkeyPatch) -> None:
     world = World(monkeypatch)
     assert rest.runners.runner() == ""

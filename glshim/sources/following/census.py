@@ -50,6 +50,10 @@ class Census:
         """By path, from now on: a primitive is made polygons for that."""
         self.polygons = Counter()
 
+    def draws(self) -> int:
+        """All of them."""
+        return self.carried + self.others + sum(self.passed.values())
+
     def passes(self, why: str) -> None:
         """A draw of polygons carries none."""
         self.passed[why] += 1
