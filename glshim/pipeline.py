@@ -181,7 +181,8 @@ class Pipeline:
         self._silence.layer_ends()
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
-            finished.lighting, self._destination.scale, finished.bare, finished.backed,
+            finished.lighting, self._destination.scale, finished.bare, finished.glass,
+            finished.backed,
         )  # fmt: skip
         try:
             self._put_out(list(self._enlarged.draws(layer)), layer, scene)
@@ -199,9 +200,8 @@ class Pipeline:
         if not given:
             return
         if self.styler is not None and self._silence.wants_colours and not layer.over:
-            self._silence.look_at(
-                self.styler.name, inks_of(self.styler), partial(self._brightness_behind, layer)
-            )
+            behind = partial(self._brightness_behind, layer)
+            self._silence.look_at(self.styler.name, inks_of(self.styler), behind)
         refusals = []
         for output in self._outputs:
             try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from glshim.model.batch import Item, PolygonBatch
@@ -63,10 +63,18 @@ class Layer:
     """If the layer lies over others: the parts of its views in which there is nothing below,
     because the program has cleared them or drawn nothing there. Pixels of the framebuffer."""
 
+    glass: tuple[Item, ...] = ()
+    """Solids that the program blended over the layer without writing depth, as batches and cameras:
+    they may have outlines, and hide nothing."""
     backed: bool = False
     """The background of its views (of a layer over others: of `bare`) was laid in the style's own
     colour before the program drew on it (`glshim.styling.protocol.Styler.background`): what differs
     from that is drawn, with depth or without."""
+
+    @cached_property
+    def glass_bodies(self) -> tuple[Body, ...]:
+        """The batches of glass by camera."""
+        return replace(self, items=self.glass).bodies
 
     @cached_property
     def bodies(self) -> tuple[Body, ...]:

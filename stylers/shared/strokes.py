@@ -67,6 +67,8 @@ def inked(
     kinds = tuple(looks.items())
     for found, medium in plan(wanted, kinds, texture_length, hidden, hidden_share):
         yield Lines(layer.bodies, found, medium)
+        if layer.glass and isinstance(found, Features):
+            yield Lines(layer.glass_bodies, found, medium)
 
 
 @lru_cache(maxsize=64)

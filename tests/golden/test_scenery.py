@@ -144,3 +144,22 @@ def test_how_bright_it_is_behind_is_seen_in_the_picture() -> None:
     assert found["a_sun_without_light"] == 0.0
     assert found["before_a_backdrop"] == pytest.approx(0.4, abs=0.1)
     assert found["menu"] == pytest.approx(scenery.SKY[2], abs=0.01)
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical", "sketch", "pencil"])
+def test_glass_is_seen_and_seen_through(style: str) -> None:
+    """Without depth: it has an outline, and the floor and the box behind keep theirs."""
+    found = shown("glass_without_depth", style).sum(axis=2)
+    rim = found[150, 290:315]
+    assert rim.min() < np.median(rim) - 150
+    behind = found[140:165, 230]  # the far edge of the floor
+    assert behind.min() < np.median(behind) - 100
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical"])
+def test_fog_stays(style: str) -> None:
+    """Boxes are the paler the farther away."""
+    found = shown("in_fog", style).astype(int)
+    faces = [found[130, 20], found[165, 140], found[195, 215]]
+    strength = [int(np.ptp(face)) for face in faces]
+    assert strength[0] > strength[1] > strength[2]

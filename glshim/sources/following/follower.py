@@ -22,6 +22,7 @@ from glshim.sources.following.census import Census
 from glshim.sources.following.changing import cover_anew
 from glshim.sources.following.faults import Faults, contained, styling
 from glshim.sources.following.gathering import is_let_through, is_wire, lay_ink, mind_ink
+from glshim.sources.following.glass import is_glass
 from glshim.sources.following.ground import clear
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
@@ -144,7 +145,7 @@ class Follower:
         """A primitive changes its materials from vertex to vertex: it is begun anew, with nothing
         of it drawn, so that its surface can be one that follows them."""
         scene = self._primitive.scene
-        if scene is not None and scene.drawing is not None:
+        if scene is not None and scene.drawing is not None and scene.drawing.depth_written:
             cover_anew(self._sink, self._stream, scene)
 
     @contained
@@ -354,6 +355,8 @@ class Follower:
                     layer.lighting = state.camera.lighting
                 self._sink.cover(materials)
             return
+        if not (obstacle or text or compiling) and is_glass(state, layer):
+            scene.drawing = state  # for its outline: it is not covered
         if obstacle:
             say_once(f"unstyled: polygons drawn while {obstacle}")
         self.census.passes(obstacle or (census.TEXT if text else layer.shortfall(state)))
@@ -371,6 +374,9 @@ class Follower:
 
     def _add(self, scene: Scene, state: DrawState, drawn: Drawn) -> None:
         """The layer gets what was drawn, from the source that the draw is of."""
+        if not state.depth_written:
+            scene.layer.add_glass(state, scene.source.polygons(drawn, state))
+            return
         before = self.census.carried
         with scene.condition.lifted():
             for polygons, camera in scene.source.polygons(drawn, state):

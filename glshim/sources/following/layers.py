@@ -6,7 +6,7 @@ same content is found again, so a still picture costs its hash.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import dataclass, replace
 from itertools import count
 
@@ -89,6 +89,8 @@ class FinishedLayer:
     """The lights when the first lit polygons of the layer were drawn."""
     backed: bool = False
     """The style's background was laid before all that is drawn there."""
+    glass: tuple[Item, ...] = ()
+    """Solids that were blended over it, without depth."""
 
 
 class LayerCollector:
@@ -99,6 +101,8 @@ class LayerCollector:
         self._content = ContentCache(wanted)
         self._primitives: dict[DrawState, list[Primitive]] = {}
         self._batches: list[Item] = []
+        self._glass: dict[DrawState, list[Primitive]] = {}
+        self._glass_batches: list[Item] = []
         self._last: DrawState | None = None
         self._pictures, self._depths = Ground(), Ground()
         """Of earlier layers of the frame."""
@@ -232,6 +236,31 @@ class LayerCollector:
             group = self._primitives[state] = []
         group.append(polygons)
 
+    def add_glass(self, state: DrawState, drawn: Iterable[tuple[Polygons, Camera]]) -> None:
+        """Polygons that are blended over the layer, without depth. What is drawn twice, for its
+        inside and its outside, is there once."""
+        for polygons, camera in drawn:
+            if not isinstance(polygons, Primitive):
+                self._glass_batches.append((polygons, camera))
+            elif polygons not in self._glass.setdefault(state, []):
+                self._glass[state].append(polygons)
+
+    def _all_glass(self) -> tuple[Item, ...]:
+        """Each once."""
+        items: list[Item] = [
+            (self._content.of_primitives(primitives), state.camera)
+            for state, primitives in self._glass.items()
+        ]
+        items += [(self._content.of_batch(batch), camera) for batch, camera in self._glass_batches]
+        self._glass, self._glass_batches = {}, []
+        once: dict[Hashable, Item] = {}
+        for batch, camera in items:
+            own = camera.modelview.tobytes(), camera.viewport
+            content = batch.positions.tobytes(), batch.corners.tobytes()
+            if len(batch.corners):
+                once.setdefault((own, content), (batch, camera))
+        return tuple(once.values())
+
     def _note(self, state: DrawState) -> None:
         self._last = state
         camera = state.camera
@@ -256,7 +285,7 @@ class LayerCollector:
         finished = FinishedLayer(
             with_corners, over, tuple(free) if over else (),
             not self._depths.touches(at, views), self.lighting,
-            not self.backing.missing(at, free),
+            not self.backing.missing(at, free), self._all_glass(),
         )  # fmt: skip
         self.backing.used = True
         self._pictures.add(at, views)

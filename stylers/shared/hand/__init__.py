@@ -113,3 +113,5 @@ def strokes(hand: Hand, layer: Layer) -> Iterator[Lines]:
         medium = reseeded(hand.medium, 31 * hand.seed + 7 * number + 13 * tick)
         for choice in wanted:
             yield Lines(layer.bodies, choice, medium, coat=number)
+            if layer.glass and isinstance(choice, Features):
+                yield Lines(layer.glass_bodies, choice, medium, coat=number)
