@@ -8,7 +8,7 @@ joins cannot fail.
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -30,6 +30,7 @@ from glshim.linework.polygon_lines import (
     single_side_lines,
 )
 from glshim.linework.smooth_lines import SmoothPieces
+from glshim.linework.steady import MARGIN, Creases
 from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera, cofactors
@@ -67,9 +68,14 @@ class Decided:
 class EdgeLines:
     """What of a mesh's edges does not depend on the viewer."""
 
-    def __init__(self, mesh: Mesh, topology: Topology | None = None) -> None:
-        """topology: of a mesh that this one is `Mesh.moved` from. The mesh itself is not held."""
+    def __init__(
+        self, mesh: Mesh, topology: Topology | None = None, creases: Creases | None = None
+    ) -> None:
+        """topology, creases: of a mesh that this one is `Mesh.moved` from. The mesh itself is not
+        held."""
         self.topology = topology or Topology(mesh)
+        self.moved = creases is not None
+        self.creases = creases or Creases()
         self.positions = mesh.positions
         self.normals: Doubles = mesh.normals
         self._spaces: dict[bool, Folds] = {}
@@ -178,15 +184,29 @@ class _Seen:
         """(N,) edges, see `is_ridge`."""
         if angle is None:
             return np.empty(0, np.intp)
-        rows, angles = self._dihedral(np.pi - angle - GRAIN)
-        return rows[is_ridge(angles, angle) & ~self._apart[rows]]
+        rows, angles = self._dihedral(np.pi - angle - GRAIN - self._margin)
+        found = self._steady("ridge", angle, rows, lambda far: is_ridge(angles, angle - far))
+        return rows[found & ~self._apart[rows]]
 
     def _valleys(self, angle: float | None) -> Rows:
         """(N,) edges, see `is_valley`."""
         if angle is None:
             return np.empty(0, np.intp)
-        rows, angles = self._dihedral(angle + GRAIN - np.pi)
-        return rows[is_valley(angles, angle) & ~self._apart[rows]]
+        rows, angles = self._dihedral(angle + GRAIN - np.pi - self._margin)
+        found = self._steady("valley", angle, rows, lambda far: is_valley(angles, angle + far))
+        return rows[found & ~self._apart[rows]]
+
+    @property
+    def _margin(self) -> float:
+        """Radians by which edges are looked at that are no creases yet, or any more."""
+        return float(MARGIN) if self._lines.moved else 0.0
+
+    def _steady(
+        self, kind: str, angle: float, rows: Rows, at: Callable[[float], Flags]
+    ) -> Flags:
+        """(N,) see `Creases.decided`."""
+        lines = self._lines
+        return lines.creases.decided((kind, angle), rows, at, moved=lines.moved)
 
     def _dihedral(self, least: float) -> tuple[Rows, Doubles]:
         """(N,) edges that fold by more than an angle (radians, from flat), and (N,) their dihedral

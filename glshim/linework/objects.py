@@ -9,6 +9,7 @@ from glshim.geometry.crease.creases import Creases, Criterion, creases
 from glshim.geometry.edges.folds import Topology
 from glshim.geometry.recovery.mesh import Mesh
 from glshim.geometry.recovery.meshes import Meshes
+from glshim.linework import steady
 from glshim.linework.feature_lines import EdgeLines
 from glshim.model.arrays import Doubles
 from glshim.model.batch import PolygonBatch, join
@@ -25,6 +26,8 @@ class Objects:
         self._whole: AgingCache[Mesh] = AgingCache(most_bytes)
         self._lines: WeakKeyDictionary[Mesh, EdgeLines] = WeakKeyDictionary()
         self._topologies: WeakValueDictionary[int, Topology] = WeakValueDictionary()
+        self._steady: WeakKeyDictionary[Topology, steady.Creases] = WeakKeyDictionary()
+        """Which edges of meshes were creases last: it goes with their connectivity."""
         self._creases: AgingCache[Creases] = AgingCache(most_bytes)
         self._parted: WeakValueDictionary[tuple[int, Criterion], Creases] = WeakValueDictionary()
         self._reported = False
@@ -68,8 +71,11 @@ class Objects:
         if lines is None:
             # A mesh that moved keeps its array of triangles (`Mesh.moved`), which a topology holds.
             known = self._topologies.get(id(mesh.triangles))
-            lines = self._lines[mesh] = EdgeLines(mesh, topology=known)
+            lines = self._lines[mesh] = EdgeLines(
+                mesh, topology=known, creases=self._steady.get(known) if known else None
+            )
             self._topologies[id(mesh.triangles)] = lines.topology
+            self._steady[lines.topology] = lines.creases
         return lines
 
     def creases(self, mesh: Mesh, criterion: Criterion) -> Creases:

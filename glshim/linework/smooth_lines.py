@@ -19,6 +19,7 @@ from glshim.geometry.contour.curvature import (
 )
 from glshim.geometry.edges.folds import Folds, Topology
 from glshim.linework.polygon_lines import SHARP
+from glshim.linework.steady import View
 from glshim.model.arrays import Doubles, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.lines import (
@@ -57,6 +58,7 @@ class SmoothPieces:
         self.positions: Floats = self._corners.reshape(-1, 3)[first]
         """(C, 3) object space."""
         self._creases = np.flatnonzero(creases)
+        self._last = View()
 
     @cached_property
     def normals(self) -> Floats:
@@ -147,8 +149,11 @@ class SmoothPieces:
             return None
         found = suggestive_contours(
             self.positions, self.triangles, self.normals, self.curvature, eye,
-            derivatives=self.derivatives,
+            derivatives=self.derivatives, before=self._last.before(eye),
         )  # fmt: skip
+        near = np.zeros(len(self.positions), np.bool_)
+        near[self.triangles[found.triangle]] = True
+        self._last.keep(eye, near)
         lift = found.interpolate(self.triangles, np.float32(_BEFORE) * self.lift)
         records = self._records(found.ends, found.triangle, lift, _View(modelview, camera))
         records[:, Line.OTHER_NORMAL] = records[:, Line.NORMAL]

@@ -8,9 +8,9 @@ import pytest
 from glshim.styling.texts import parse_style
 from tests import look
 from tests.coherence import pixels
-from tests.coherence.__main__ import Studio
 from tests.coherence.carry import Carrier, clear, draw_base
 from tests.coherence.motions import MOTIONS
+from tests.coherence.report import Studio
 from tests.coherence.subjects import HEIGHT, WIDTH, colours, solids
 
 FRAMES = solids()

@@ -30,6 +30,8 @@ SLOPE = 1.0
 """Least derivative of radial curvature, of an object of radius 1."""
 HYSTERESIS = 0.25
 """The lower threshold over the higher."""
+STAYS, COMES = 0.7, 1.2
+"""Shares of limits between which lines are as they were in the view before."""
 
 _NONE = -1
 
@@ -153,6 +155,7 @@ def suggestive_contours(
     hysteresis: float = HYSTERESIS,
     radius: float | None = None,
     paper: bool = False,
+    before: Flags | None = None,
 ) -> Segments:
     """Where radial curvature turns from concave to convex towards the viewer (DeCarlo et al.
     2003): its zeros where the surface faces the viewer, and where its derivative along the
@@ -165,6 +168,9 @@ def suggestive_contours(
     1 switches that off.
     derivatives (V, 4) as of `curvature_derivatives`; without them the derivative comes from how
     radial curvature differs between the corners of a triangle.
+
+    before (V,): vertices of triangles that had lines in the view before. There lines stay down to
+    `STAYS` of all limits; new ones come from `COMES` of slope on.
 
     paper: reject valleys as McGuire and Hughes 2004, appendix A, do, and nothing else: no segment
     of a triangle in which radial curvature falls along w by either of the two sides that it runs
@@ -198,10 +204,17 @@ def suggestive_contours(
         radius = _radius(positions, triangles) if len(found) else 1.0
     steep = slope / max(radius, 1e-300) ** 2
     stays = np.asarray(_middle(found, cosine[local]) < np.cos(theta))
-    high = np.asarray(stays & (rise > max(steep, 0.0)))
+    least = np.full(len(found), steep)
+    if before is not None:
+        drawn = before[corners].any(axis=1)
+        least *= np.where(drawn, STAYS, COMES)
+        low_share = np.where(drawn, STAYS, 1.0)
+    else:
+        low_share = np.ones(len(found))
+    high = np.asarray(stays & (rise > np.maximum(least, 0.0)))
     if hysteresis >= 1.0:
         return found.take(high)
-    low = np.flatnonzero(stays & (rise > max(steep * hysteresis, 0.0)))
+    low = np.flatnonzero(stays & (rise > np.maximum(low_share * steep * hysteresis, 0.0)))
     kept = found.take(low)
     chain = kept.chains()
     return kept.take(np.flatnonzero(np.isin(chain, chain[high[low]])))
