@@ -111,6 +111,7 @@ def strokes(
     turned = dot(plane, sight)
     drawn &= ~(lone & (np.abs(turned) < EDGE_ON))
     drawn &= ~((kind == LONE_RIDGE) & (turned < 0.0) & (np.sin(angle) >= 0.0))
+    drawn &= ~((kind == LONE_VALLEY) & (turned < 0.0) & (np.sin(angle) <= 0.0))
 
     deep = pixel_depth(ends[0], side, camera)
     slopes = np.concatenate(

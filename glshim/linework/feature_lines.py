@@ -29,6 +29,7 @@ from glshim.linework.polygon_lines import (
     shared_edge_lines,
     single_side_lines,
 )
+from glshim.linework.side_by_side import mark_shared
 from glshim.linework.smooth_lines import SmoothPieces
 from glshim.linework.steady import MARGIN, Creases
 from glshim.linework.walk import measure
@@ -52,6 +53,8 @@ from glshim.model.lines import (
 )
 from glshim.model.vectors import dot, unit
 from glshim.styling.wishes import Choice, Features
+
+_SHARP_EDGES = Features(contours=True, ridge_angle=SHARP, valley_angle=2.0 * np.pi - SHARP)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,6 +81,7 @@ class EdgeLines:
         self.creases = creases or Creases()
         self.positions = mesh.positions
         self.normals: Doubles = mesh.normals
+        self._wholes: Doubles = mesh.polygon_normals
         self._spaces: dict[bool, Folds] = {}
 
     @cached_property
@@ -98,7 +102,7 @@ class EdgeLines:
         known = self._spaces.get(skewed)
         if known is None or not known.holds(linear):
             known = self._spaces[skewed] = Folds(
-                self.topology, self.positions, self.normals, linear
+                self.topology, self.positions, (self.normals, self._wholes), linear
             )
         return known
 
@@ -260,6 +264,13 @@ def feature_lines(
     parts.append(_sound(_across(objects, camera, wanted)))
     whole = np.concatenate(parts) if parts else no_lines()
     run_on(whole)
+    if len(objects) > 1:
+        among = None
+        if not wanted.contours or None in (wanted.ridge_angle, wanted.valley_angle):
+            among = np.concatenate(
+                [_sound(lines.records(at, camera, _SHARP_EDGES)) for lines, at in objects]
+            )
+        mark_shared(whole, among)
     if wanted.pattern is None:
         return whole, None
     group = group_of(whole)

@@ -23,10 +23,13 @@ from glshim.geometry.recovery.welding import distinct
 from glshim.linework.polygon_lines import ASKEW
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.lines import ENDLESS, INTERSECTION, RECORD, Line
-from glshim.model.vectors import cross, unit
+from glshim.model.vectors import cross, dot, unit
 
 _PARALLEL = np.radians(0.5)
 """Angle between planes, radians, below which they have no line in common."""
+_SHALLOW = np.radians(20.0)
+"""Angle between planes below which surfaces go on in each other, no crease being there: where a
+sphere ends a cylinder of its radius, facets pass to and fro through each other."""
 _SLACK = 1e-5
 """Over a triangle's size: what is nearer lies in a plane, what is shorter is a point."""
 _ROUNDING = 4.0 * float(np.finfo(np.float32).eps)
@@ -182,16 +185,19 @@ def segments(triangles: Triangles, beside: Rows, pairs: Rows) -> tuple[Doubles, 
 
 
 def records(triangles: Triangles, beside: Rows, pairs: Rows) -> Floats:
-    """(L, 21) float32 records (`glshim.model.lines.Line`), eye space, of what `segments`
-    finds."""
+    """(L, 21) float32 records (`glshim.model.lines.Line`), eye space, of what `segments` finds
+    where the surfaces bend enough."""
     ends, rows = segments(triangles, beside, pairs)
+    normals = [_normals(triangles[pairs[rows, part]]) for part in (0, 1)]
+    bent = cross(*normals)
+    seen = dot(bent, bent) >= np.sin(_SHALLOW) ** 2
+    ends, rows, normals = ends[seen], rows[seen], [own[seen] for own in normals]
     # In an order that the place alone decides: what came first makes no difference.
     turned = ends[:, 0] @ ASKEW < ends[:, 1] @ ASKEW
     ends[turned] = ends[turned, ::-1]
     made = np.zeros((len(rows), RECORD), np.float32)
     made[:, Line.ENDS] = ends.reshape(-1, 6)
     made[:, Line.ONWARD] = ends[:, 1]
-    normals = [_normals(triangles[pairs[rows, part]]) for part in (0, 1)]
     later = (normals[0] @ ASKEW < normals[1] @ ASKEW)[:, None]
     made[:, Line.NORMAL] = np.where(later, normals[1], normals[0])
     made[:, Line.OTHER_NORMAL] = np.where(later, normals[0], normals[1])

@@ -10,6 +10,7 @@ from glshim.geometry.edges.edges import Edges, joined
 from glshim.geometry.edges.gather import Placement
 from glshim.linework.hand import lifts, own_numbers
 from glshim.linework.joins import link
+from glshim.linework.side_by_side import mark_shared
 from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
@@ -80,6 +81,8 @@ def polygon_lines(
         records.append(seen.records(chosen))
     whole = np.concatenate(records) if records else no_lines()
     run_on(whole)
+    if choice.connectivity:
+        mark_shared(whole)
     if choice.pattern is not None:
         lay_pattern(whole, camera, choice.pattern)
     return whole

@@ -65,6 +65,8 @@ GROUPS = 8
 their kind plus `GROUP` times (group - 3)."""
 GROUP = 16
 MARKED, BOUNDARY, SUGGESTIVE = 4, 5, 6
+SHARED = 8 * GROUP
+"""What is added to kinds of lines that lie on others (`glshim.linework.side_by_side`)."""
 
 ENDLESS = 1e6
 """Pixels to the end of a stroke that has none: a loop without a corner."""
@@ -77,7 +79,7 @@ def kind_of(records: Floats) -> Rows:
 
 def group_of(records: Floats) -> Rows:
     """(L,) groups of records (L, 21), see `GROUPS`."""
-    kind, extra = kind_of(records), records[:, Line.KIND].astype(np.intp) // GROUP
+    kind, extra = kind_of(records), records[:, Line.KIND].astype(np.intp) % SHARED // GROUP
     return np.where(extra > 0, extra + 3, np.maximum(kind - FIN + 1, 0) // 2)
 
 

@@ -18,13 +18,22 @@ from glshim.styling.glsl import glsl
 from glshim.styling.media.ink import STROKE
 from glshim.styling.passes import MeshShader, Pass, Sieve, State, Weld
 from glshim.styling.pictures import Image, is_coloured
-from glshim.styling.protocol import Colour, Layer, option
+from glshim.styling.protocol import Colour, Layer, Lines, option
 from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.textures import made
 from glshim.styling.values import Body, Uniform
 
 from ..shared import options
-from ..shared.kinds import Boundaries, Contours, Look, Ridges, Valleys, former_names
+from ..shared.intersections import intersection_lines
+from ..shared.kinds import (
+    Boundaries,
+    Contours,
+    Intersections,
+    Look,
+    Ridges,
+    Valleys,
+    former_names,
+)
 
 
 def _shaders(name: str) -> tuple[MeshShader, MeshShader]:
@@ -59,7 +68,7 @@ _OLD = {f"crease_{part}": Renamed(tuple(f"{kind}_{part}" for kind in _CREASES))
 
 @takes_old_names
 @dataclass(frozen=True)
-class Crease(Boundaries, Valleys, Ridges, Contours):
+class Crease(Intersections, Boundaries, Valleys, Ridges, Contours):
     """Creases and the silhouettes of smooth surfaces (Hajagos et al. 2012).
 
     Verifiers draw what flags draw, but where a side that is no crease fits the differences at both
@@ -68,8 +77,8 @@ class Crease(Boundaries, Valleys, Ridges, Contours):
 
     name: ClassVar[str] = "crease"
     former: ClassVar[Mapping[str, Renamed]] = former_names(
-        (*_CREASES, "contour"), **_OLD, creases=Renamed(("ridges", "valleys", "boundary")),
-        angle=Renamed(("crease_angle",)),
+        (*_CREASES, "contour", "intersection"), **_OLD,
+        creases=Renamed(("ridges", "valleys", "boundary")), angle=Renamed(("crease_angle",)),
     )  # fmt: skip
 
     width: float = options.width(2.5)
@@ -107,6 +116,7 @@ class Crease(Boundaries, Valleys, Ridges, Contours):
         help="what hides contours: all surfaces, or back faces only, as in the paper",
         choices=("surfaces", "back_faces"),
     )
+    intersections: str = options.intersections("off")
     tolerance: float = options.tolerance(0.0)
     fill: str | Colour = options.fill()
     own_ink: str = options.own_ink()
@@ -116,7 +126,7 @@ class Crease(Boundaries, Valleys, Ridges, Contours):
         """Creases are where they differ, and silhouettes where they turn away."""
         return True
 
-    def draws(self, layer: Layer) -> Iterable[Pass]:
+    def draws(self, layer: Layer) -> Iterable[Lines | Pass]:
         """Triangles with adjacency, of which geometry shaders make the quads."""
         found = layer.bodies
         if not found:
@@ -133,10 +143,13 @@ class Crease(Boundaries, Valleys, Ridges, Contours):
             yield from self._lines(
                 SILHOUETTES, found, looks["contour"], SMOOTH, plain=plain, given=given
             )
+        yield from intersection_lines(self, self.intersections, layer)
         if not creased:
             return
         alike: dict[Look, int] = {}
         for kind, look in looks.items():
+            if kind not in _KINDS:
+                continue
             alike[look] = alike.get(look, 0) | _KINDS[kind]
         for look, kinds in alike.items():
             given = {

@@ -79,6 +79,6 @@ void main() {
         bool contour = open || (front && !is_front(flags, a, across, b));
         int own = open ? OPEN : contour && parted == 1 ? OUTER : is_ridge(a, b, c, across) ? OUT : IN;
         if ((kinds & own) == 0) continue;
-        emit(a, b, c, across, contour, contour ? RING : RIDGE);
+        emit(a, b, c, across, contour, open ? RING + 16 * (BOUNDARY - 3) : contour ? RING : RIDGE);
     }
 }

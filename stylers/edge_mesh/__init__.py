@@ -20,9 +20,11 @@ from glshim.styling.textures import made
 from glshim.styling.wishes import Features
 
 from ..shared import options
+from ..shared.intersections import intersection_lines
 from ..shared.kinds import (
     Boundaries,
     Contours,
+    Intersections,
     Look,
     MarkedEdges,
     Ridges,
@@ -42,12 +44,14 @@ _FINE = 0.6
 
 @takes_old_names
 @dataclass(frozen=True)
-class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Contours):
+class EdgeMesh(
+    SuggestiveContours, MarkedEdges, Intersections, Valleys, Ridges, Boundaries, Contours
+):
     """Ink on the feature edges of recovered meshes (McGuire & Hughes 2004)."""
 
     name: ClassVar[str] = "edge_mesh"
     former: ClassVar[Mapping[str, Renamed]] = former_names(
-        ("contour", "ridge", "valley", "marked", "boundary", "suggestive")
+        ("contour", "ridge", "valley", "intersection", "marked", "boundary", "suggestive")
     )
 
     marked: bool = option(False, help="draw edges where polygons of different colours meet")
@@ -62,6 +66,7 @@ class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Con
     crease_angle: float = options.crease_angle(60.0)
     ridge_angle: float | None = options.ridge_angle()
     valley_angle: float | None = options.valley_angle()
+    intersections: str = options.intersections("off")
     smooth: bool = option(
         False, help="draw contours of smooth surfaces through polygons, not along their edges"
     )
@@ -120,10 +125,11 @@ class EdgeMesh(SuggestiveContours, MarkedEdges, Boundaries, Valleys, Ridges, Con
         yield from tone_passes(self.tone, self.paper, self.ink, layer, self.tolerance)
         if self.strokes != "chained":
             yield from paper_passes(self._look(), layer)
-            return
-        yield from self._chained(layer)
-        if self.outer and self.contours:
-            yield from paper_passes(self._silhouettes(), layer)
+        else:
+            yield from self._chained(layer)
+            if self.outer and self.contours:
+                yield from paper_passes(self._silhouettes(), layer)
+        yield from intersection_lines(self, self.intersections, layer)
 
     def _angles(self) -> tuple[float, float]:
         """Of ridges and of valleys, degrees."""

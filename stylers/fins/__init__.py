@@ -23,7 +23,16 @@ from glshim.styling.textures import made
 from glshim.styling.values import Uniform
 
 from ..shared import options
-from ..shared.kinds import Boundaries, Contours, Look, Ridges, Valleys, former_names
+from ..shared.intersections import intersection_lines
+from ..shared.kinds import (
+    Boundaries,
+    Contours,
+    Intersections,
+    Look,
+    Ridges,
+    Valleys,
+    former_names,
+)
 from ..shared.shading import by_light
 from ..shared.strokes import inked, only
 from .lighting import Lighting, relit
@@ -55,12 +64,12 @@ _KINDS = {"contour": 1, "boundary": 2}
 
 @takes_old_names
 @dataclass(frozen=True)
-class Fins(Valleys, Ridges, Boundaries, Contours):
+class Fins(Intersections, Valleys, Ridges, Boundaries, Contours):
     """Fins on contours and open edges, with a spine test (Rideout 2010)."""
 
     name: ClassVar[str] = "fins"
     former: ClassVar[Mapping[str, Renamed]] = former_names(
-        (*_KINDS, "ridge", "valley"), half_width=Renamed(("width",), factor=2.0)
+        (*_KINDS, "ridge", "valley", "intersection"), half_width=Renamed(("width",), factor=2.0)
     )
 
     ridges: bool = option(False, help="draw ridges, in plain ink: creases that stand out")
@@ -86,6 +95,7 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
     spine: bool = option(
         True, help="test visibility along the middle of a line; off: at each pixel"
     )
+    intersections: str = options.intersections("off")
     tolerance: float = options.tolerance(0.0)
     fill: str | Colour = option(
         "app",
@@ -131,7 +141,7 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
                 yield from relit(some.bodies, light, look, self.tolerance)
             yield from relit(unlit, layer.light, look, self.tolerance)
         looks = self.looks()
-        creases = {kind: look for kind, look in looks.items() if kind not in _KINDS}
+        creases = {kind: look for kind, look in looks.items() if kind in ("ridge", "valley")}
         if creases:
             wanted = only(self.features(self.crease_angle, tolerance=self.tolerance), creases)
             yield from inked(layer, wanted, creases, texture_length=self.texture_length)
@@ -140,6 +150,7 @@ class Fins(Valleys, Ridges, Boundaries, Contours):
             alike[looks[kind]] = alike.get(looks[kind], 0) | _KINDS[kind]
         for own, kinds in alike.items():
             yield from self._fins(layer, own, kinds)
+        yield from intersection_lines(self, self.intersections, layer)
 
     def _fins(self, layer: Layer, look: Look, kinds: int) -> Iterable[Pass]:
         """Fins of a look, for some kinds (bits)."""

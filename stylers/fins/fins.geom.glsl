@@ -33,6 +33,7 @@ const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer h
                                  // such a fin, and it is given here (SHORT_FINS)
 const int ROUND_JOINTS = 2;
 const int CONTOURS = 1, OPEN = 2;
+const int OPEN_SIDE = RING + 16 * (BOUNDARY - 3);  // glshim/model/lines.py, in_group
 
 // Whether a triangle turns counter-clockwise for the viewer.
 bool is_front(int a, int b, int c) { return faces(place[a], place[b], place[c], eye); }
@@ -119,7 +120,7 @@ bool draws(int a, int b, int c, int across) {
 }
 
 void draw(int a, int b, int c, int across) {
-    if (number[across] == number[a]) emit(a, b, c, a, RING);
+    if (number[across] == number[a]) emit(a, b, c, a, OPEN_SIDE);
     else emit(a, b, c, across, kind_of(a, b, c, across));
 }
 

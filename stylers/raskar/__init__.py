@@ -16,6 +16,7 @@ from glshim.styling.renamed import Renamed, takes_old_names
 from glshim.styling.wishes import Choice
 
 from ..shared import options
+from ..shared.intersections import looked_for
 from ..shared.kinds import Contours, Intersections, Look, Ridges, Valleys, former_names
 from ..shared.strokes import inked
 
@@ -33,9 +34,7 @@ class Raskar(Intersections, Valleys, Ridges, Contours):
     contours: bool = option(
         True, help="draw contours: where front-facing polygons meet back-facing ones"
     )
-    intersections: bool = option(
-        False, help="draw lines where polygons pass through each other; draws them twice more"
-    )
+    intersections: str = options.intersections("off")
     width: float = options.width(2.5)
     ink: Colour = options.ink("#000000")
     texture: str = options.texture()
@@ -71,7 +70,7 @@ class Raskar(Intersections, Valleys, Ridges, Contours):
             silhouettes=self.contours,
             ridge_angle=radians(ridge) if self.ridges else None,
             valley_angle=radians(valley) if self.valleys else None,
-            intersections=self.intersections,
+            intersections=looked_for(self.intersections, layer),
             connectivity=self.connectivity,
         )
         yield from inked(layer, wanted, looks, texture_length=self.texture_length)

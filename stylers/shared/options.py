@@ -157,10 +157,10 @@ def own_ink() -> Any:
     )  # fmt: skip
 
 
-def intersections() -> Any:
+def intersections(default: str = "auto") -> Any:
     """``intersections``, for `stylers.shared.intersections.looked_for`."""
     return option(
-        "auto",
+        default,
         help="draw lines where polygons pass through each other; slow on large scenes (auto: up to "
         "20,000 polygons)",
         choices=("auto", "on", "off"),

@@ -17,18 +17,29 @@ from glshim.styling.protocol import BackFaces, Colour, Layer, Lines, option
 from glshim.styling.renamed import Renamed, takes_old_names
 
 from ..shared import options
-from ..shared.kinds import Ridges, Valleys, dash_of, former_names, ink_of, width_of
+from ..shared.intersections import intersection_lines
+from ..shared.kinds import (
+    Intersections,
+    Ridges,
+    Valleys,
+    dash_of,
+    former_names,
+    ink_of,
+    width_of,
+)
 from ..shared.strokes import inked
 
 
 @takes_old_names
 @dataclass(frozen=True)
-class TwoPass(Valleys, Ridges):
+class TwoPass(Intersections, Valleys, Ridges):
     """Silhouettes by fixed-function GL alone: back faces as lines (Lander 2000, Rideout 2010)."""
 
     name: ClassVar[str] = "two_pass"
     alone: ClassVar[str] = "its lines lie below all that others draw; take crease or raskar"
-    former: ClassVar[Mapping[str, Renamed]] = former_names(("contour", "ridge", "valley"))
+    former: ClassVar[Mapping[str, Renamed]] = former_names(
+        ("contour", "ridge", "valley", "intersection")
+    )
 
     contours: bool = option(True, help="draw contours: back faces as lines")
     contour_width: float | None = width_of("contours")
@@ -41,10 +52,11 @@ class TwoPass(Valleys, Ridges):
         low=1.0, high=64.0, unit="px",
     )  # fmt: skip
     ink: Colour = options.ink("#000000")
-    texture: str = options.texture("none", "ridges and valleys")
+    texture: str = options.texture("none", "ridges, valleys and intersections")
     texture_length: float = options.texture_length()
     dash: float = options.dash()
     crease_angle: float = options.crease_angle(60.0)
+    intersections: str = options.intersections("off")
     tolerance: float = options.tolerance()
     smooth: bool = option(True, help="antialias contours (GL_LINE_SMOOTH)")
     fill: str | Colour = options.fill("front faces")
@@ -67,6 +79,8 @@ class TwoPass(Valleys, Ridges):
             yield BackFaces(
                 layer.bodies, contour.width, contour.ink, fill, self.smooth, contour.dash
             )
+        looks.pop("intersection", None)
         if looks:
             wanted = self.features(self.crease_angle, tolerance=self.tolerance)
             yield from inked(layer, wanted, looks, texture_length=self.texture_length)
+        yield from intersection_lines(self, self.intersections, layer)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -17,8 +18,9 @@ from tests.sweep import some
 SIZE = 300
 EYE = (3.0, 2.2, 4.0)
 STYLES = (
-    "raskar", "edge_mesh", "edge_mesh:strokes=quads", "crease", "fins:ridges=on", "cartoon",
-    "technical:paper=app,hidden=none", "hiddenline:paper=app,fill=app", "brush", "pencil",
+    "raskar", "edge_mesh", "edge_mesh:strokes=quads", "crease", "fins:ridges=on",
+    "cartoon:shade_unlit=off", "technical:paper=app,hidden=none",
+    "hiddenline:paper=app,fill=app", "brush", "pencil",
     "blueprint:dimensions=0", "sketch:hatching=0",
 )  # fmt: skip
 BY_HAND = ("brush", "pencil", "blueprint", "sketch")
@@ -124,3 +126,95 @@ def test_a_cut_face_is_one_face(view: None, style: str) -> None:
 def test_patches_tessellated_apart_are_one_sheet(view: None, style: str) -> None:
     apart = changed(style, partial(sheet, 24, 16), partial(sheet, 24))
     assert apart.mean() < 0.003
+
+
+def box(x: float, y: float, z: float, half: float = 0.5) -> None:
+    """A cube by itself, under a matrix of its own."""
+    GL.glPushMatrix()
+    GL.glTranslatef(x, y, z)
+    GL.glScalef(half, half, half)
+    whole()
+    GL.glPopMatrix()
+
+
+def cubes() -> None:
+    """The same cube as eight."""
+    for corner in product((-0.5, 0.5), repeat=3):
+        box(*corner)
+
+
+def capsule(parts: int) -> None:
+    """A cylinder closed by two spheres, each under a matrix of its own; 1: all their polygons are
+    one body's."""
+    quadric = GLU.gluNewQuadric()
+    GLU.gluQuadricNormals(quadric, GLU.GLU_NONE)
+    GL.glPushMatrix()
+    GL.glRotatef(-90.0, 1.0, 0.0, 0.0)
+    GL.glTranslatef(0.0, 0.0, -0.6)
+    if parts > 1:
+        GLU.gluCylinder(quadric, 0.6, 0.6, 1.2, 24, 1)
+        for _ in range(2):
+            GLU.gluSphere(quadric, 0.6, 24, 16)
+            GL.glTranslatef(0.0, 0.0, 1.2)
+    else:
+        turns = np.linspace(0.0, 2.0 * np.pi, 25)
+        profile = [(0.6 * np.cos(a), 0.6 * np.sin(a) + (1.2 if a > 0 else 0.0))
+                   for a in np.linspace(-np.pi / 2, np.pi / 2, 17) for _ in range(1)]  # fmt: skip
+        middle = [(0.6, 0.0), (0.6, 1.2)]
+        profile = [p for p in profile if p[1] < 0.0] + middle + [p for p in profile if p[1] > 1.2]
+        for (r, z), (s, w) in pairwise(profile):
+            GL.glBegin(GL.GL_QUAD_STRIP)
+            for a in turns:
+                GL.glVertex3f(s * np.sin(a), s * np.cos(a), w)
+                GL.glVertex3f(r * np.sin(a), r * np.cos(a), z)
+            GL.glEnd()
+    GL.glPopMatrix()
+    GLU.gluDeleteQuadric(quadric)
+
+
+SEEN = tuple(style for style in STYLES if "strokes=quads" not in style)
+"""All but the one that draws what the mesh says, as its paper does."""
+CHAINED = tuple(style for style in SEEN if style.partition(":")[0] not in ("crease", "fins"))
+"""Those that know more bodies than one."""
+
+
+@pytest.mark.parametrize("style", some(CHAINED, 5, 2))
+def test_a_wall_of_cubes_is_one_face(view: None, style: str) -> None:
+    """Eight bodies side by side, each under a matrix of its own."""
+    assert changed(style, cubes, whole).mean() < 0.002
+
+
+@pytest.mark.parametrize("style", some(SEEN, 5, 3))
+def test_bodies_that_touch_along_a_curve_are_one(view: None, style: str) -> None:
+    assert changed(style, partial(capsule, 3), partial(capsule, 1)).mean() < 0.002
+
+
+def crossing() -> None:
+    whole()
+    GL.glPushMatrix()
+    GL.glTranslatef(0.0, 0.0, 0.9)
+    GL.glRotatef(45.0, 0.0, 0.0, 1.0)
+    GL.glScalef(0.4, 0.4, 0.4)
+    whole()
+    GL.glPopMatrix()
+
+
+ALL = ("raskar", "edge_mesh", "edge_mesh:strokes=quads", "crease", "fins", "two_pass", "cartoon",
+       "technical", "hiddenline", "brush", "pencil", "blueprint", "sketch")  # fmt: skip
+
+
+@pytest.mark.parametrize("style", some(ALL, 6))
+def test_every_line_style_has_lines_where_surfaces_cross(view: None, style: str) -> None:
+    """By one option. The lines are looked for halfway along the four of a post in a face."""
+    between = ":" if ":" not in style else ","
+    with_, without = (
+        picture(f"{style}{between}intersections={word}", crossing) for word in ("on", "off")
+    )
+    drawn = np.abs(with_ - without).max(axis=2) > 0.1
+    found = 0
+    reach = 0.4 * 2**0.5 / 2
+    for x, y in product((-reach, reach), repeat=2):
+        at = GLU.gluProject(x, y, 1.0)
+        column, row = int(at[0]), SIZE - 1 - int(at[1])
+        found += drawn[row - 4 : row + 5, column - 4 : column + 5].any()
+    assert found >= 2, style  # the post hides the others

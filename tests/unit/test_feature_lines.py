@@ -236,7 +236,9 @@ def test_a_moebius_strip_agrees():
     height = np.array((-0.4, 0.4))[:, None] * np.sin(turns / 2)
     points = np.stack([radius * np.cos(turns), radius * np.sin(turns), height], -1).reshape(-1, 3)
     quads = [[i, i + 1, i + 25, i + 24] for i in range(23)] + [[23, 24, 0, 47]]
-    whole = mesh(look.batch(points, quads))
+    # In triangles: bent quads fold by the normals of the wholes, which the oracle does not know.
+    halves = [[q[0], *q[k : k + 2]] for q in quads for k in (1, 2)]
+    whole = mesh(look.batch(points, halves))
     assert whole.twisted.any()
     for camera in cameras(8):
         agree(whole, camera, angles=(np.radians(175), np.radians(185)))

@@ -304,7 +304,7 @@ def _turning(mesh: Mesh, least: float, some: Flags | None) -> Flags:
     turning = np.zeros(len(mesh.edges), np.bool_)
     at = np.flatnonzero(mesh.faces[:, 1] >= 0 if some is None else some)
     a, b = (mesh.faces[at, k] for k in (0, 1))
-    m, n = mesh.normals.take(a, axis=0), mesh.normals.take(b, axis=0)
+    m, n = (mesh.polygon_normals.take(own, axis=0) for own in (a, b))
     # Of a triangle that has lost its area nothing is known.
     cosine = np.where(m.any(axis=1) & n.any(axis=1), dot(m, n), 1.0)
     turning[at] = cosine <= np.cos(min(least, np.pi))

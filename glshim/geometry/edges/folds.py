@@ -84,12 +84,19 @@ class Folds:
     Only those of edges that fold by something are ever measured."""
 
     def __init__(
-        self, topology: Topology, positions: Floats, normals: Doubles, linear: Doubles | None
+        self,
+        topology: Topology,
+        positions: Floats,
+        normals: tuple[Doubles, Doubles],
+        linear: Doubles | None,
     ) -> None:
-        self._topology, self._positions, self._normals = topology, positions, normals
+        """normals (T, 3), unit: of the triangles, and of the polygons that they are of."""
+        self._topology, self._positions = topology, positions
         self._linear = linear
-        if linear is not None:
-            self._normals = unit(normals @ cofactors(linear).T)
+        turn = None if linear is None else cofactors(linear).T
+        self._parts, self._wholes = (
+            own if turn is None else unit(own @ turn) for own in normals
+        )
         self._beyond: dict[float, tuple[Rows, Doubles]] = {}
 
     def holds(self, linear: Doubles | None) -> bool:
@@ -110,11 +117,11 @@ class Folds:
         along = ends[:, 1] - ends[:, 0]
         if self._linear is not None:
             along = along @ self._linear.T
-        return dihedral(along, *self._both(rows))
+        return dihedral(along, *self._both(rows, self._wholes))
 
     def sine(self, rows: Rows) -> Doubles:
-        """(N,) of the angle between the normals of edges."""
-        product = cross(*self._both(rows))
+        """(N,) of the angle between the normals of the triangles at edges."""
+        product = cross(*self._both(rows, self._parts))
         return np.asarray(np.sqrt(dot(product, product)))
 
     def leaning(self, least: float) -> Flags:
@@ -136,12 +143,12 @@ class Folds:
     @cached_property
     def _cosines(self) -> Floats:
         """(E,) of the angles between the normals of all edges."""
-        normals = self._normals.astype(np.float32)
+        normals = self._wholes.astype(np.float32)
         one, other = (normals.take(side, axis=0) for side in (self._topology.a, self._topology.b))
         found = np.einsum("ei,ei->e", one, other)
         return np.asarray(np.where(self._topology.twisted, -found, found))
 
-    def _both(self, rows: Rows) -> tuple[Doubles, Doubles]:
+    def _both(self, rows: Rows, normals: Doubles) -> tuple[Doubles, Doubles]:
         """(N, 3), (N, 3) unit normals of A, and of B as if it wound as A does."""
-        one, other = (self._normals[side[rows]] for side in (self._topology.a, self._topology.b))
+        one, other = (normals[side[rows]] for side in (self._topology.a, self._topology.b))
         return one, np.where(self._topology.twisted[rows, None], -other, other)

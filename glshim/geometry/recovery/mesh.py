@@ -27,7 +27,7 @@ __all__ = ["Mesh", "Report", "mesh", "weld"]
 
 _TOPOLOGY = ("components", "closed", "rim", "report")
 """What is derived from the connectivity alone, so that a moved mesh takes it along."""
-_POSED = (*_TOPOLOGY, "_area_vectors", "normals", "vertex_normals")
+_POSED = (*_TOPOLOGY, "_area_vectors", "normals", "polygon_normals", "vertex_normals")
 """And what its positions are enough for."""
 
 
@@ -129,6 +129,20 @@ class Mesh:
         """(T, 3) unit normals of the triangles; zero where a moved one has no area now."""
         with np.errstate(invalid="ignore", over="ignore"):
             return np.nan_to_num(unit(self._area_vectors), copy=False, posinf=0.0, neginf=0.0)
+
+    @cached_property
+    def polygon_normals(self) -> Doubles:
+        """(T, 3) unit normals of the polygons that triangles are of: folds between bent polygons
+        are those of the wholes, which programs light by one normal."""
+        count = int(self.polygon.max(initial=-1)) + 1
+        if len(self.triangles) <= count and (np.bincount(self.polygon) <= 1).all():
+            return self.normals
+        vectors = np.nan_to_num(self._area_vectors, posinf=0.0, neginf=0.0)
+        total = [np.bincount(self.polygon, weights=axis, minlength=count) for axis in vectors.T]
+        whole = unit(np.stack(total, axis=1))[self.polygon]
+        # One half of a bow tie may cancel the other, and one part of it may lie the other way.
+        sound = dot(whole, self.normals) > 0.0
+        return np.where(sound[:, None], whole, self.normals)
 
     @cached_property
     def vertex_normals(self) -> Doubles:

@@ -11,14 +11,20 @@ PASSED vec3 extent;   // pixels outwards between which the ink lies; kind and gr
 PASSED vec2 repeats;  // of a pattern at a and at b; the same where there is none
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
-const int GROUPS = 8;       // of lines: glshim/model/lines.py
+const int GROUPS = 8, MARKED = 4, BOUNDARY = 5, SUGGESTIVE = 6;  // of lines: glshim/model/lines.py
 uniform float hidden_share;  // ink of what is hidden, of one
+uniform vec2 ridge_turn;     // cosine and sine of the threshold angle of ridges
 
 const float MEETING = 0.05;  // pixels' worth of depth by which surfaces that meet may miss
+const float PLANE = 0.03;    // radians by which faces side by side in one plane may bend
+const float CURVE = 0.2;     // the same where an open side runs on another surface
+const float SHEER = 6.0;     // the same, of a pixel of a steep surface
+const float TORN = 1.5;      // pixels' worth of depth by which facets of bodies that meet may miss
 
 vec2 along, out_1;
 float span;
 int kind, group;
+bool shared_edge;  // with another body
 
 // Fills the variables above from the stroke.
 void take_stroke() {
@@ -29,6 +35,8 @@ void take_stroke() {
     kind = int(extent.z + 0.5);
     int extra = kind / 16;
     kind -= 16 * extra;
+    shared_edge = extra > 7;
+    extra -= shared_edge ? 8 : 0;
     group = extra > 0 ? extra + 3 : (kind > 2 ? kind - 2 : 0) / 2;
 }
 
@@ -105,7 +113,50 @@ bool seen_alone(vec3 place) {
     return one_surface && abs(gap) < margin && (kind == LONE_RIDGE ? quad <= near : quad > near);
 }
 
-bool seen_at(float t) {
+// What is drawn on one side of a place: its depth there, over the side's, and how that grows in a
+// pixel outwards.
+vec2 towards_line(vec3 place, vec2 outwards) {
+    vec2 one = beyond(place.xy, outwards), two = beyond(place.xy + 2.0 * outwards, outwards);
+    float s = dot(one - place.xy, out_1), rise = finished(one) - place.z - level(one - place.xy);
+    float slope = finished(two) - place.z - level(two - place.xy) - rise;
+    slope /= dot(two - one, out_1);
+    return vec2(rise - slope * s, slope);
+}
+
+// By how much the two sides of what is seen across the line miss each other there, in pixels' worth
+// of depth; 0.0 where they meet, more than TORN where they are no surface that goes on. off: the
+// same of the line.
+float torn_at(vec3 place, out float off) {
+    vec2 right = towards_line(place, out_1), left = towards_line(place, -out_1);
+    float steep = max(abs(left.y), abs(right.y)), scale = clamp(steep, grain.x, SHEER * grain.x);
+    off = right.x / scale;
+    float most = kind == FIN || group == BOUNDARY ? CURVE : PLANE;
+    if (abs(atan(right.y, grain.x) - atan(left.y, grain.x)) > most) return 2.0 * TORN;
+    float gap = right.x - left.x, margin = (MEETING + blur) * max(grain.x, steep) + hair;
+    return abs(gap) < margin ? 0.0 : gap / scale;
+}
+
+float inner(float t) { return clamp(t, min(8.0, 0.5 * span), max(span - 8.0, 0.5 * span)); }
+
+// Whether what is seen is one surface across the line at t, whatever polygons and bodies it is of:
+// faces side by side in one plane, a sphere that ends a cylinder. What lies a hair before a wall
+// does so all along, and faces that overlap in one plane have no common edge; where two bodies meet in a curve, their facets come forward in turns. Near its
+// ends, where others cross it, a line is what it is farther in.
+bool flush_at(float t, out float off) {
+    if (shared_edge) t = inner(t);
+    off = 0.0;
+    bool open = kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY || group == BOUNDARY;
+    if (!open && !shared_edge) return false;
+    if (group == MARKED || group == SUGGESTIVE || ridge_turn.x < -0.98) return false;
+    float gap = torn_at(point(t), off), other;
+    if (abs(off) > TORN) return false;  // what is seen lies behind the line
+    if (gap == 0.0 || abs(gap) > TORN || kind != FIN && group != BOUNDARY) return gap == 0.0;
+    for (float part = 0.1; part < 1.0; part += 0.2)
+        if (torn_at(point(part * span), other) * gap <= 0.0) return true;
+    return false;
+}
+
+bool drawn_at_line(float t) {
     vec3 place = point(t);
     if (kind == FIN || kind == LONE_RIDGE || kind == LONE_VALLEY) return seen_alone(place);
     if (kind > FIN) {  // one of its polygons is enough, or nothing before it
@@ -118,6 +169,11 @@ bool seen_at(float t) {
     return here && clear_beside(place + vec3(out_1, 0.0)) || stands_out(place, -grain.y);
 }
 
+bool seen_at(float t) {
+    float off;
+    return drawn_at_line(shared_edge ? inner(t) : t) && !flush_at(t, off);
+}
+
 // Most of five places along the line: no dots, no holes of two pixels. A loop, since drivers in
 // software leave loops early but walk through every branch.
 bool seen(float t) {
@@ -128,4 +184,10 @@ bool seen(float t) {
         aside = aside < 0.0 ? -aside : -aside - 1.0;
     }
     return balance > 0.0;
+}
+
+// Whether a line is not seen because there is none, not even a hidden one: it lies in one surface.
+bool is_none(float t) {
+    float off;
+    return flush_at(t, off);
 }

@@ -4,8 +4,7 @@
 //         (derivation and numpy reference: glshim/geometry/raskar.py).
 
 uniform float widths[GROUPS];  // pixels
-uniform vec2 ridge_turn;   // cosine and sine of the threshold angle
-uniform vec2 valley_turn;
+uniform vec2 valley_turn;      // cosine and sine of the threshold angle
 
 const float INWARD = 0.5;     // pixels by which the middle of a ring's inner rim lies inside
 const float EDGE_ON = 0.02;   // quads flatter to the line of sight cannot be seen
@@ -61,6 +60,7 @@ bool traced(out float deep, out bool lone) {
     float turned = dot(plane, sight);
     if (lone && abs(turned) < EDGE_ON) return false;
     if (kind == LONE_RIDGE && turned < 0.0 && ridge_turn.y >= 0.0) return false;  // behind its polygon
+    if (kind == LONE_VALLEY && turned < 0.0 && valley_turn.y <= 0.0) return false;  // what rises more, too
 
     deep = pixel_depth(eye_a, side);
     slopes.xy = bounded(depth_slope(plane, eye_a), STEEPEST * deep);
