@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from glshim.styling.texts import parse_style
 from tests.sweep import some
 
 from . import scenes_errors, scenes_immediate, scenes_lists, scenes_state
@@ -44,7 +45,13 @@ def styled_scenes() -> Iterator[object]:
 
 @pytest.mark.parametrize(("name", "style"), list(styled_scenes()))
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
-    found = plain(name).differences(run(SCENES[name], style), pictures=False)
+    restyled = run(SCENES[name], style)
+    found = plain(name).differences(restyled, pictures=False)
+    if parse_style(style).gathers_ink:
+        # Lines are drawn into a framebuffer of ours, which Mesa has the other way up: interpolated
+        # depths are a step of the buffer apart, where they are.
+        if abs(plain(name).depth - restyled.depth).max() <= 2.0**-23:
+            found.pop("depth", None)
     if style.startswith(("cartoon", "technical", "hiddenline")):  # ours came before
         assert all(min(numbers) > 0 for numbers in found.pop("GL_CURRENT_PROGRAM", ()))
     if style.startswith(("cartoon:textures=off", "hiddenline")) and "clip" in name:

@@ -79,11 +79,11 @@ class RenderTarget:
 
     def __init__(
         self, texture: int = 0, buffers: Sequence[int] = (), *, unit: int = 0, samples: int = 0,
-        deep: int | None = None,
+        deep: tuple[int, int] | None = None,
     ) -> None:
         """texture: the format of an image that shaders look up pixel for pixel, at a texture unit;
         0: there is none. buffers: formats of images that are only drawn to, of so many samples a
-        pixel (0: plain ones). deep: the unit of a second texture, its depth."""
+        pixel (0: plain ones). deep: format and unit of a second texture, its depth."""
         self._format, self._buffers = texture, tuple(buffers)
         self._unit, self._samples = unit, samples
         self.name = 0
@@ -116,7 +116,7 @@ class RenderTarget:
             self._attach_texture(self.texture, self._format, size)
         if self._deep is not None:
             self.bind_depth()
-            self._attach_texture(self.depth, GL_DEPTH_COMPONENT24, size)
+            self._attach_texture(self.depth, self._deep[0], size)
         for name, kind in zip(self._renderbuffers, self._buffers, strict=True):
             self._attach_buffer(name, kind, size)
         if not any(kind in _COLOURS for kind in (self._format, *self._buffers)):
@@ -138,7 +138,7 @@ class RenderTarget:
     def bind_depth(self) -> None:
         """Let shaders look its depth up, at the unit of that."""
         assert self._deep is not None
-        gl.glActiveTexture(GL_TEXTURE0 + self._deep)
+        gl.glActiveTexture(GL_TEXTURE0 + self._deep[1])
         gl.glBindTexture(GL_TEXTURE_2D, self.depth)
 
     def release(self) -> None:

@@ -23,7 +23,6 @@ from glshim.outputs.gl.frame.depth import Box, DepthCopy
 from glshim.outputs.gl.frame.frame import depth_margin
 from glshim.outputs.output import Destination, Ink
 from glshim.spec.constants import (
-    GL_ALWAYS,
     GL_BLEND,
     GL_BLEND_DST_ALPHA,
     GL_BLEND_DST_RGB,
@@ -35,10 +34,13 @@ from glshim.spec.constants import (
     GL_COLOR_LOGIC_OP,
     GL_DEPTH_BITS,
     GL_DEPTH_BUFFER_BIT,
+    GL_DEPTH_COMPONENT24,
+    GL_DEPTH_COMPONENT32F,
     GL_DEPTH_TEST,
     GL_DRAW_FRAMEBUFFER,
     GL_FRAMEBUFFER,
     GL_FUNC_ADD,
+    GL_LESS,
     GL_ONE,
     GL_ONE_MINUS_SRC_ALPHA,
     GL_RGBA8,
@@ -66,7 +68,9 @@ class OwnInk:
 
     def __init__(self, device: Device) -> None:
         self._device = device
-        self._target = RenderTarget(GL_RGBA8, unit=_INK_UNIT, deep=_DEPTH_UNIT)
+        # Floats, as depths are before a buffer rounds them: what is written back is rounded alike.
+        kind = GL_DEPTH_COMPONENT32F if device.modern else GL_DEPTH_COMPONENT24
+        self._target = RenderTarget(GL_RGBA8, unit=_INK_UNIT, deep=(kind, _DEPTH_UNIT))
         self._ground, self._depth = ColourCopy(), DepthCopy()
         self._box: Box = (0, 0, 0, 0)
         """Where something was gathered, at most."""
@@ -146,11 +150,6 @@ class OwnInk:
         gl.glEnable(GL_BLEND)
         gl.glBlendEquation(GL_FUNC_ADD)
         gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
-        if tested and self._hides:
-            gl.glEnable(GL_DEPTH_TEST)
-            gl.glDepthFunc(GL_ALWAYS)
-            gl.glDepthMask(1)
-            gl.glDepthRange(0.0, 1.0)
         x, y, width, height = box
         self._program.use({
             "ink": _INK_UNIT, "ink_depth": _DEPTH_UNIT, "ground": COLOUR_UNIT,
@@ -161,6 +160,14 @@ class OwnInk:
             "box": (x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5),
         })  # fmt: skip
         fill_viewport()
+        if tested and self._hides:
+            gl.glEnable(GL_DEPTH_TEST)
+            gl.glDepthFunc(GL_LESS)
+            gl.glDepthMask(1)
+            gl.glDepthRange(0.0, 1.0)
+            gl.glColorMask(0, 0, 0, 0)
+            self._program.set({"tested": 0, "recoloured": 0})
+            fill_viewport()
 
     def _open(self, viewport: Box) -> bool:
         """Have room for what a viewport shows; whether there is some."""

@@ -102,5 +102,5 @@ void main() {
     vec3 c = own.rgb / cover;
     if (recoloured == 1) c = readable(c, at);
     gl_FragColor = vec4(c * cover, cover);
-    gl_FragDepth = min(depth, surface);
+    gl_FragDepth = depth;
 }
