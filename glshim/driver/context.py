@@ -176,6 +176,11 @@ def _has_fixed_function(number: Version) -> bool:
     return "GL_ARB_compatibility" in _extensions(version_text())
 
 
+def has_turned_framebuffers() -> bool:
+    """Whether the rows of a framebuffer object can lie as a window's do in Mesa."""
+    return "GL_MESA_framebuffer_flip_y" in _extensions(version_text())
+
+
 def has_debug_output() -> bool:
     """Whether there is debug output, with a switch."""
     return _has((4, 3), "GL_KHR_debug")

@@ -80,6 +80,7 @@ SIGNATURES: dict[str, str] = {
     "glEndTransformFeedback": "",
     "glFeedbackBuffer": "iup",
     "glFinish": "",
+    "glFramebufferParameteri": "uui",
     "glFramebufferRenderbuffer": "uuuu",
     "glFramebufferTexture2D": "uuuui",
     "glFrontFace": "u",

@@ -45,19 +45,18 @@ def styled_scenes() -> Iterator[object]:
 
 @pytest.mark.parametrize(("name", "style"), list(styled_scenes()))
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
-    restyled = run(SCENES[name], style)
-    found = plain(name).differences(restyled, pictures=False)
-    if parse_style(style).gathers_ink:
-        # Lines are drawn into a framebuffer of ours, which Mesa has the other way up: interpolated
-        # depths are a step of the buffer apart, where they are.
-        if abs(plain(name).depth - restyled.depth).max() <= 2.0**-23:
-            found.pop("depth", None)
+    found = plain(name).differences(run(SCENES[name], style), pictures=False)
     if style.startswith(("cartoon", "technical", "hiddenline")):  # ours came before
         assert all(min(numbers) > 0 for numbers in found.pop("GL_CURRENT_PROGRAM", ()))
     if style.startswith(("cartoon:textures=off", "hiddenline")) and "clip" in name:
         # Mesa clips the fixed function's polygons in clip space, those of a program in eye space:
         # a rounding apart.
         assert found.pop("depth", 0) < 16
+    if parse_style(style).gathers_ink and name.startswith("everything_under"):
+        # Lines are drawn into a framebuffer of ours. In Mesa the pattern of stippled ones runs on
+        # from one draw to the next, unless a framebuffer comes between; and where two cross, the
+        # nearer one may be a rounding apart.
+        assert found.pop("depth", 0) < (600 if "stipple" in name else 4)
     assert found == {}
 
 

@@ -8,6 +8,7 @@ stipples, fog and fonts are as ever, and what the style lays under them does not
 from __future__ import annotations
 
 from glshim.driver.ask import integer, is_enabled, reals
+from glshim.driver.context import has_turned_framebuffers
 from glshim.driver.functions import gl
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.devices import Device
@@ -39,8 +40,10 @@ from glshim.spec.constants import (
     GL_DEPTH_TEST,
     GL_DRAW_FRAMEBUFFER,
     GL_FRAMEBUFFER,
+    GL_FRAMEBUFFER_FLIP_Y_MESA,
     GL_FUNC_ADD,
     GL_LESS,
+    GL_NO_ERROR,
     GL_ONE,
     GL_ONE_MINUS_SRC_ALPHA,
     GL_RGBA8,
@@ -72,6 +75,8 @@ class OwnInk:
         kind = GL_DEPTH_COMPONENT32F if device.modern else GL_DEPTH_COMPONENT24
         self._target = RenderTarget(GL_RGBA8, unit=_INK_UNIT, deep=(kind, _DEPTH_UNIT))
         self._ground, self._depth = ColourCopy(), DepthCopy()
+        self._turned = False
+        """Its rows lie from the top downwards."""
         self._box: Box = (0, 0, 0, 0)
         """Where something was gathered, at most."""
         self._waits = False
@@ -157,6 +162,7 @@ class OwnInk:
             "ground_size": self._ground.size, "depth_size": self._depth.size,
             "home": reals(GL_COLOR_CLEAR_VALUE, 3),
             "tested": int(tested), "recoloured": int(recoloured), "hair": margin, "scale": scale,
+            "turned": int(self._turned),
             "box": (x + 0.5, y + 0.5, x + width - 0.5, y + height - 0.5),
         })  # fmt: skip
         fill_viewport()
@@ -180,6 +186,8 @@ class OwnInk:
             with Guard():
                 plainly()
                 self._target.fit(right, top)
+                self._target.bind()
+                self._turned = _turn()
                 self._clear()
         self._box = 0, 0, max(right, self._box[2]), max(top, self._box[3])
         return True
@@ -198,3 +206,12 @@ class OwnInk:
 def _texts(device: Device) -> tuple[str, str]:
     head = f"#version {130 if device.modern else 120}\n"
     return head + shader_text("over.vert.glsl"), head + shader_text("own_ink.frag.glsl")
+
+
+def _turn() -> bool:
+    """Have the framebuffer object that is bound the way up that windows are in Mesa, so that lines
+    fall on the same pixels, at the same depths; whether that can be had."""
+    if not has_turned_framebuffers():
+        return False
+    gl.glFramebufferParameteri(GL_FRAMEBUFFER, GL_FRAMEBUFFER_FLIP_Y_MESA, 1)
+    return bool(gl.glGetError() == GL_NO_ERROR)

@@ -17,6 +17,7 @@ uniform float hair;      // a few steps of the depth buffer
 uniform float scale;     // pixels for one of the window
 uniform int tested;      // 1: surfaces that are nearer hide it
 uniform int recoloured;
+uniform int turned;      // 1: rows of the ink lie from the top downwards
 
 const float ENOUGH = 4.5;   // contrast of text
 const float STRONG = 12.0;  // most that greys get which must change: black and white trade places
@@ -29,7 +30,8 @@ vec4 look(sampler2D image, vec2 centre, vec2 size) {
 #endif
 }
 
-vec4 ink_at(vec2 centre) { return look(ink, centre, ink_size); }
+vec2 on_canvas(vec2 centre) { return turned == 1 ? vec2(centre.x, ink_size.y - centre.y) : centre; }
+vec4 ink_at(vec2 centre) { return look(ink, on_canvas(centre), ink_size); }
 vec4 below_at(vec2 centre) { return look(ground, centre, ground_size); }
 vec2 within(vec2 place) { return floor(clamp(place, box.xy, box.zw)) + 0.5; }
 vec3 linear(vec3 c) { return pow(clamp(c, 0.0, 1.0), vec3(2.2)); }
@@ -96,7 +98,7 @@ void main() {
     vec4 own = ink_at(at);
     float cover = covered(own);
     if (cover < 0.004) discard;
-    float depth = look(ink_depth, at, ink_size).r;
+    float depth = look(ink_depth, on_canvas(at), ink_size).r;
     float surface = tested == 1 ? look(finished_depth, at, depth_size).r : 1.0;
     if (depth > surface + hair) discard;
     vec3 c = own.rgb / cover;
