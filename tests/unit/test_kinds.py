@@ -41,7 +41,7 @@ def test_every_style_names_its_lines_alike(name: str) -> None:
     old = {word for word in words if word.endswith(("_width", "_ink", "_angle"))}
     assert old <= {
         *(f"{kind}_{part}" for kind in style.kinds() for part in ("width", "ink")),
-        "ridge_angle", "valley_angle", "crease_angle", "least_angle",
+        "ridge_angle", "valley_angle", "crease_angle", "least_angle", "own_ink",
     }  # fmt: skip
 
 

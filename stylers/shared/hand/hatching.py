@@ -73,8 +73,9 @@ def _hatched(look: Hatching, layer: Layer, some: Lit) -> Iterator[Pass]:
     if not some.bodies:
         return
     lights = [_placed(light) for light in some.lights if max(light.diffuse) > 0.0]
+    lamps = lamp_uniforms(tuple(lights), some.bodies)
     uniforms: dict[str, Uniform] = {
-        **lamp_uniforms(tuple(lights), some.bodies),
+        **{name: lamps[name] for name in ("lamps", "lamp_place", "lamp_shade")},
         "ink": look.ink, "apart": look.apart, "darkness": look.darkness,
         "by_picture": look.by_picture if lights else 1.0, "jitter": look.jitter,
         "soft": look.soft, "coloured": look.coloured,
