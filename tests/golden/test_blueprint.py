@@ -153,3 +153,24 @@ def test_lines_go_on_less_far_in_a_small_window(backend):
         lines = [d for d in style.draws(Layer(((box(), camera),))) if isinstance(d, Lines)]
         most.append(lines[0].medium.uniforms["overshoot"])
     assert most == pytest.approx([50.0, 18.75])
+
+
+@pytest.mark.parametrize("drop", [False, True], ids=["free", "taken"])
+def test_a_dimension_has_its_place_for_itself(backend, drop):
+    """Below the lower edge of a wall lies nothing, or another wall that ends there."""
+    def wall(x, y, z):
+        points = [(-x, -1 - y, z), (x, -1 - y, z), (x, 1 - y, z), (-x, 1 - y, z)]
+        return look.batch(points, [(0, 1, 2, 3)])
+
+    lens = look.orthographic(2.0, near=0.1, far=50.0)
+    camera = Camera(look.look_at((0, 0, 10.0), up=(0, 1, 0)), lens, (0, 0, 400, 400))
+    meshes = [wall(1.0, 0.0, 0.0), *([wall(0.5, 0.2, -1.0)] if drop else [])]
+    inks = []
+    for share in (0.0, 1.0):
+        look.clear((0.9, 0.2, 0.2))
+        for mesh in meshes:
+            look.draw_base(mesh, camera)
+        style = Blueprint(grid=0.0, shade=0.0, overshoot=0.0, dimensions=share)
+        backend.render(style.draws(Layer(tuple((mesh, camera) for mesh in meshes))))
+        inks.append(light(look.pixels().astype(int))[82:96, 110:290])
+    assert bool(np.abs(inks[1] - inks[0]).max() > 0.2) is not drop
