@@ -9,17 +9,26 @@ from glshim.driver.functions import gl
 from glshim.model.boxes import Box, Unbacked
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.fixed import matrices_kept, plainest
-from glshim.outputs.gl.frame.canvas import fill_viewport
 from glshim.spec.constants import (
+    GL_COLOR_ARRAY,
+    GL_COLOR_BUFFER_BIT,
     GL_CULL_FACE,
     GL_DEPTH_TEST,
     GL_DITHER,
+    GL_FLOAT,
     GL_FRAMEBUFFER_SRGB,
     GL_LEQUAL,
     GL_MODELVIEW,
     GL_PROJECTION,
+    GL_SCISSOR_TEST,
+    GL_TRIANGLES,
+    GL_VERTEX_ARRAY,
 )
 from glshim.styling.values import Colour
+
+_CORNERS = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
+"""Of a triangle over every viewport. From arrays: where a program evaluates normals, Mesa shows it
+what was said before between glBegin and glEnd."""
 
 
 def lay(places: Unbacked, colour: Colour) -> bool:
@@ -27,25 +36,42 @@ def lay(places: Unbacked, colour: Colour) -> bool:
     possible."""
     if not possible():
         return False
-    with Guard(), matrices_kept():
-        plainest()
-        for switch in (GL_DITHER, GL_FRAMEBUFFER_SRGB, GL_CULL_FACE):
-            gl.glDisable(switch)
-        for mode in (GL_PROJECTION, GL_MODELVIEW):
-            gl.glMatrixMode(mode)
-            gl.glLoadIdentity()
+    with Guard():
         gl.glColorMask(1, 1, 1, 0)
-        gl.glColor4fv(np.array((*colour, 1.0), np.float32).ctypes.data)
-        if places.free_depth:  # all behind what has depth already
-            gl.glEnable(GL_DEPTH_TEST)
-            gl.glDepthFunc(GL_LEQUAL)
-            gl.glDepthRange(1.0, 1.0)
-        for box in places.boxes:
-            _fill(box)
+        for switch in (GL_DITHER, GL_FRAMEBUFFER_SRGB):
+            gl.glDisable(switch)
+        gl.glEnable(GL_SCISSOR_TEST)
+        if places.free_depth:
+            _fill_behind(places.boxes, colour)
+        else:
+            _clear(places.boxes, colour)
     return True
 
 
-def _fill(box: Box) -> None:
-    gl.glViewport(*box)
-    gl.glScissor(*box)
-    fill_viewport()
+def _clear(boxes: tuple[Box, ...], colour: Colour) -> None:
+    gl.glClearColor(*colour, 1.0)
+    for box in boxes:
+        gl.glScissor(*box)
+        gl.glClear(GL_COLOR_BUFFER_BIT)
+
+
+def _fill_behind(boxes: tuple[Box, ...], colour: Colour) -> None:
+    """Behind what has depth already."""
+    with matrices_kept():
+        plainest()
+        gl.glDisable(GL_CULL_FACE)
+        for mode in (GL_PROJECTION, GL_MODELVIEW):
+            gl.glMatrixMode(mode)
+            gl.glLoadIdentity()
+        gl.glEnable(GL_DEPTH_TEST)
+        gl.glDepthFunc(GL_LEQUAL)
+        gl.glDepthRange(1.0, 1.0)
+        for array in (GL_VERTEX_ARRAY, GL_COLOR_ARRAY):
+            gl.glEnableClientState(array)
+        paints = np.array([(*colour, 1.0)] * 3, np.float32)
+        gl.glVertexPointer(2, GL_FLOAT, 0, _CORNERS.ctypes.data)
+        gl.glColorPointer(4, GL_FLOAT, 0, paints.ctypes.data)
+        for box in boxes:
+            gl.glViewport(*box)
+            gl.glScissor(*box)
+            gl.glDrawArrays(GL_TRIANGLES, 0, 3)
