@@ -18,7 +18,7 @@ from glshim import toolkits
 from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
 from glshim.errors import RenderError
-from glshim.model.boxes import Unbacked
+from glshim.model.boxes import Box, Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
@@ -36,6 +36,7 @@ from glshim.styling.asking import wanted
 from glshim.styling.enlarging import enlarged
 from glshim.styling.inks import inks_of
 from glshim.styling.protocol import Layer, Pass, Styler
+from glshim.styling.values import Colour
 from glshim.system import modules
 from glshim.system.ending import at_end
 from glshim.system.interrupts import Held
@@ -135,6 +136,10 @@ class Pipeline:
     def lay_background(self, places: Unbacked) -> bool:
         """Before the app draws in places of its framebuffer."""
         return all([output.lay_background(places) for output in self._outputs])
+
+    def lift_background(self, box: Box, own: Colour) -> tuple[Box, ...]:
+        """Before the app looks at some pixels."""
+        return tuple(b for output in self._outputs for b in output.lift_background(box, own))
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""

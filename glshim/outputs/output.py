@@ -10,11 +10,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from glshim.model.boxes import Unbacked
+from glshim.model.boxes import Box, Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.styling.lines import Lines
 from glshim.styling.passes import Pass
 from glshim.styling.protocol import BackFaces, Layer, Styler
+from glshim.styling.values import Colour
 
 Given = Lines | Pass | BackFaces
 """What stylers give."""
@@ -78,6 +79,11 @@ class Output:
         """The app has drawn nothing solid yet in places of the framebuffer that is bound: lay the
         styler's background there. Whether that was done."""
         return False
+
+    def lift_background(self, box: Box, own: Colour) -> tuple[Box, ...]:
+        """The app is about to look at some pixels of it: have those that nothing lies on in the
+        app's own colour. Which those are."""
+        return ()
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """The app is about to draw polygons that carry lines, outside primitives. materials: what

@@ -165,9 +165,15 @@ def _program() -> None:
         return int(made)
 
     program = GL.glCreateProgram()
-    GL.glAttachShader(program, shader(GL.GL_VERTEX_SHADER, """#version 130
+    GL.glAttachShader(
+        program,
+        shader(
+            GL.GL_VERTEX_SHADER,
+            """#version 130
         void main() { gl_Position = ftransform();
-                      gl_FrontColor = vec4(float(gl_VertexID) / 300.0, 1, 0, 1); }"""))
+                      gl_FrontColor = vec4(float(gl_VertexID) / 300.0, 1, 0, 1); }""",
+        ),
+    )
     GL.glAttachShader(program, shader(GL.GL_FRAGMENT_SHADER, """#version 130
         void main() { gl_FragColor = gl_Color; }"""))  # fmt: skip
     GL.glLinkProgram(program)
@@ -284,6 +290,21 @@ def evaluators(app: App) -> None:
         GL.glEvalCoord2d(i / 6, 0.9)
     app.tries(GL.glEnd)
     app.error()
+
+
+@each({"colours": (0.1, 0.2, 0.3, 0.4), "black": (0, 0, 0, 0)})
+def picks_beside_what_is_drawn(app: App, background: tuple[float, ...]) -> None:
+    GL.glClearColor(*background)
+    for turn in range(2):
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+        GL.glColor3ub(10, 200, 30 + turn)
+        GL.glRectf(-0.5, -0.5, 0.1, 0.1)
+        mesh(12)
+        for place in ((1, 1), (2, 9)):
+            app.tries(GL.glReadPixels, *place, 1, 1, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        app.tries(GL.glReadPixels, 0, 0, 8, 8, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE)
+        app.tries(GL.glReadPixels, 0, 0, 4, 4, 77, GL.GL_UNSIGNED_BYTE)
+    app.asks(GL.GL_COLOR_CLEAR_VALUE, GL.GL_SCISSOR_BOX, GL.GL_PACK_ALIGNMENT)
 
 
 @each({"select": GL.GL_SELECT, "feedback": GL.GL_FEEDBACK})

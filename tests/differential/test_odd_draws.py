@@ -235,6 +235,8 @@ def test_a_fault_in_following_costs_one_draw(
         for _ in range(faults):
             app.tries(GL.glDrawArrays, GL.GL_QUADS, 0, 4)
             app.asks(GL.GL_COLOR_WRITEMASK)
+        # What a style has laid below this picture stays to its end.
+        GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
         cube()
 
     plain = run(scene)

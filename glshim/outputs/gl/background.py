@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from glshim.driver.context import version
 from glshim.driver.functions import gl
 from glshim.model.boxes import Box, Unbacked
 from glshim.outputs.gl.device.guard import Guard, possible
@@ -19,9 +20,16 @@ from glshim.spec.constants import (
     GL_FRAMEBUFFER_SRGB,
     GL_LEQUAL,
     GL_MODELVIEW,
+    GL_PACK_ALIGNMENT,
+    GL_PACK_ROW_LENGTH,
+    GL_PACK_SKIP_PIXELS,
+    GL_PACK_SKIP_ROWS,
+    GL_PIXEL_PACK_BUFFER,
     GL_PROJECTION,
+    GL_RGB,
     GL_SCISSOR_TEST,
     GL_TRIANGLES,
+    GL_UNSIGNED_BYTE,
     GL_VERTEX_ARRAY,
 )
 from glshim.styling.values import Colour
@@ -37,7 +45,6 @@ def lay(places: Unbacked, colour: Colour) -> bool:
     if not possible():
         return False
     with Guard():
-        gl.glColorMask(1, 1, 1, 0)
         for switch in (GL_DITHER, GL_FRAMEBUFFER_SRGB):
             gl.glDisable(switch)
         gl.glEnable(GL_SCISSOR_TEST)
@@ -48,7 +55,31 @@ def lay(places: Unbacked, colour: Colour) -> bool:
     return True
 
 
+def lift(box: Box, laid: Colour, own: Colour) -> tuple[Box, ...]:
+    """Give pixels of a small box that still have the colour which was laid another one. They."""
+    if not possible():
+        return ()
+    x, y, width, height = box
+    seen = np.zeros((height, width, 3), np.uint8)
+    with Guard():
+        if (version() or (1, 1)) >= (2, 1):
+            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
+        for setting in (GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS):
+            gl.glPixelStorei(setting, 0)
+        gl.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        gl.glReadPixels(*box, GL_RGB, GL_UNSIGNED_BYTE, seen.ctypes.data)
+        same = (abs(seen - np.multiply(laid, 255.0)) < 1.0).all(2)
+        pixels = tuple((x + int(i), y + int(j), 1, 1) for j, i in np.argwhere(same))
+        if pixels:
+            for switch in (GL_DITHER, GL_FRAMEBUFFER_SRGB):
+                gl.glDisable(switch)
+            gl.glEnable(GL_SCISSOR_TEST)
+            _clear(pixels, own)
+    return pixels
+
+
 def _clear(boxes: tuple[Box, ...], colour: Colour) -> None:
+    gl.glColorMask(1, 1, 1, 0)
     gl.glClearColor(*colour, 1.0)
     for box in boxes:
         gl.glScissor(*box)
@@ -59,6 +90,7 @@ def _fill_behind(boxes: tuple[Box, ...], colour: Colour) -> None:
     """Behind what has depth already."""
     with matrices_kept():
         plainest()
+        gl.glColorMask(1, 1, 1, 0)
         gl.glDisable(GL_CULL_FACE)
         for mode in (GL_PROJECTION, GL_MODELVIEW):
             gl.glMatrixMode(mode)

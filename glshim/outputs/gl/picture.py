@@ -8,11 +8,11 @@ from contextlib import suppress
 from glshim.driver.functions import current_context
 from glshim.driver.objects import context_ended, tidy
 from glshim.errors import RenderError
-from glshim.model.boxes import Unbacked
+from glshim.model.boxes import Box, Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_once
 from glshim.outputs.gl.backend import Backend
-from glshim.outputs.gl.background import lay
+from glshim.outputs.gl.background import lay, lift
 from glshim.outputs.gl.device.programs import Lost
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.outputs.gl.frame.behind import brightness_behind
@@ -39,6 +39,9 @@ class Picture(Output):
 
     def lay_background(self, places: Unbacked) -> bool:
         return self._background is not None and lay(places, self._background)
+
+    def lift_background(self, box: Box, own: Colour) -> tuple[Box, ...]:
+        return () if self._background is None else lift(box, self._background, own)
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         try:

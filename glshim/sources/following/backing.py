@@ -19,6 +19,10 @@ class Backing:
         """Depth was cleared in the frame: what has some is drawn in front of the background."""
         self.used = False
         """A layer of the frame lies on it."""
+        self.own = (0.0, 0.0, 0.0)
+        """The program's own background."""
+        self.lifted: tuple[Box, ...] = ()
+        """Pixels that are the program's own while it looks at them."""
         self._proven: bool | None = None
         """Frames have layers: what is drawn without depth belongs to them. None: nobody knows."""
 

@@ -17,7 +17,7 @@ from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
 from glshim.sources.following import census
-from glshim.sources.following.behind import lay_behind
+from glshim.sources.following.behind import lay_behind, lift, put_down
 from glshim.sources.following.census import Census
 from glshim.sources.following.changing import cover_anew
 from glshim.sources.following.faults import Faults, contained, styling
@@ -71,8 +71,7 @@ class Follower:
         self.faults = Faults(self._drop, sink.give_up)
 
     def restyle(self, wanted: Wanted | None) -> None:
-        """Polygons shall come with something else from now on, or (None) not at all. What layers
-        hold is dropped: between frames nothing."""
+        """Polygons come with something else from now on, or (None) not at all; layers go."""
         self._idle = wanted is None
         self._scenes.restyle(wanted or POSITIONS)
 
@@ -186,6 +185,7 @@ class Follower:
                 self._finish(scene, waits=True)
             else:  # it gets the app's own colours
                 lay_ink(self._sink, scene, plain=True)
+                lift(self._sink, scene, args)
         elif role in READERS:
             self._finish(scene, waits=role is not Role.TARGET)
         elif role in BUFFER_WRITES:
@@ -210,9 +210,7 @@ class Follower:
             scene.layer.cleared(found)
 
     @contained
-    def after(
-        self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]
-    ) -> None:
+    def after(self, role: Role, name: str, args: tuple[Any, ...], call: Callable[..., Any]) -> None:
         """After a call by role."""
         self._after(role, name, args, call)
 
@@ -247,6 +245,8 @@ class Follower:
             self._close(scene)
             if role is Role.BITMAP:
                 fixed.lists.add(Marks())
+        elif role is Role.READ_PIXELS:
+            put_down(self._sink, scene)
         elif role in IN_LISTS:
             fixed.lists.add(Change.of(name, args))
         elif role in CONDITIONS:
@@ -260,6 +260,7 @@ class Follower:
         scene = self._scenes.current()
         if scene is not None:
             self._close(scene)
+            put_down(self._sink, scene)
 
     def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
         state = scene.drawing

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from glshim.model.boxes import Unbacked
+from glshim.model.boxes import Box, Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.ownink import Run
@@ -21,6 +21,9 @@ class LayerSink(Protocol):
 
     def lay_background(self, places: Unbacked) -> bool:
         """Lay it in places of the framebuffer that is bound. Whether that was possible."""
+
+    def lift_background(self, box: Box, own: tuple[float, float, float]) -> tuple[Box, ...]:
+        """Have pixels of a small box that nothing lies on in the program's own colour. Those."""
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """Polygons that carry lines are about to be drawn by the app. materials: what
