@@ -139,9 +139,11 @@ float torn_at(vec3 place, out float off) {
 float inner(float t) { return clamp(t, min(8.0, 0.5 * span), max(span - 8.0, 0.5 * span)); }
 
 // Whether what is seen is one surface across the line at t, whatever polygons and bodies it is of:
-// faces side by side in one plane, a sphere that ends a cylinder. What lies a hair before a wall
-// does so all along, and faces that overlap in one plane have no common edge; where two bodies meet in a curve, their facets come forward in turns. Near its
-// ends, where others cross it, a line is what it is farther in.
+// faces side by side in one plane, a sphere that ends a cylinder. An open side that only comes near
+// another surface is not in it all along; one that lies a hair before a wall does so all along; and
+// faces that overlap in one plane have no common edge. Where two bodies meet in a curve, their
+// facets come forward in turns. Near its ends, where others cross it, a line is what it is farther
+// in.
 bool flush_at(float t, out float off) {
     if (shared_edge) t = inner(t);
     off = 0.0;
@@ -150,10 +152,16 @@ bool flush_at(float t, out float off) {
     if (group == MARKED || group == SUGGESTIVE || ridge_turn.x < -0.98) return false;
     float gap = torn_at(point(t), off), other;
     if (abs(off) > TORN) return false;  // what is seen lies behind the line
-    if (gap == 0.0 || abs(gap) > TORN || kind != FIN && group != BOUNDARY) return gap == 0.0;
-    for (float part = 0.1; part < 1.0; part += 0.2)
-        if (torn_at(point(part * span), other) * gap <= 0.0) return true;
-    return false;
+    if (kind != FIN && group != BOUNDARY) return gap == 0.0;
+    if (abs(gap) > TORN) return false;
+    bool turns = gap == 0.0;
+    int near = 0;
+    for (float part = 0.1; part < 1.0; part += 0.2) {
+        float there = torn_at(point(part * span), other);
+        near += abs(there) > TORN ? 0 : 1;
+        turns = turns || there * gap <= 0.0;
+    }
+    return turns && near > 2;
 }
 
 bool drawn_at_line(float t) {
