@@ -59,8 +59,7 @@ class Counted:
 
 
 class Pipeline:
-    """From the program's calls to what a styler adds at the end of each layer: a
-    `glshim.sources.following.sink.LayerSink`.
+    """From the program's calls to what a styler adds at the end of each layer: a `LayerSink`.
 
     Following outlives a style: display lists and buffers that were made under one, or under none,
     are known to the next.
@@ -161,10 +160,8 @@ class Pipeline:
 
     def gather_ink(self, state: DrawState, scene: Scene, *, first: bool, listed: bool) -> bool:
         """The app is about to draw text or lines of its own."""
-        ink = Ink(
-            state.framebuffer, state.camera.viewport, state.depth_tested, state.depth_written,
-            listed,
-        )  # fmt: skip
+        place, tested, written = state.framebuffer, state.depth_tested, state.depth_written
+        ink = Ink(place, state.camera.viewport, tested, written, listed)
         return any([output.gather_ink(ink, scene, first=first) for output in self._outputs])
 
     def ink_gathered(self) -> None:
@@ -174,10 +171,9 @@ class Pipeline:
 
     def lay_ink(self, run: Run, scene: Scene, *, recoloured: bool) -> None:
         """What was gathered goes into the picture."""
+        place, onto = run.framebuffer, self._destination
         for output in self._outputs:
-            output.lay_ink(
-                run.framebuffer, self._destination, tested=run.tested, recoloured=recoloured
-            )  # fmt: skip
+            output.lay_ink(place, onto, tested=run.tested, recoloured=recoloured)
 
     def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the outputs add it."""
@@ -397,13 +393,12 @@ def styled(styler: Styler) -> Iterator[None]:
 
 
 def counted() -> Counted:
-    """What the frame that ends now is made of: for who listens to frame ends after `Stage.DRAW`."""
+    """What the frame that ends now is made of, after `Stage.DRAW`."""
     return _current.counted if _current is not None else Counted()
 
 
 def draw_into(destination: Destination) -> None:
-    """The program draws into something else from now on: a shot, into tiles of a large picture in
-    place of its window. What the style draws is enlarged as the picture is."""
+    """The program draws into something else from now on: into tiles of a large picture, say."""
     if _current is not None:
         _current.draw_into(destination)
 
