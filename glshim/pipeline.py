@@ -68,8 +68,7 @@ class Pipeline:
     def __init__(self, outputs: Sequence[Output] = OUTPUTS) -> None:
         self._outputs = outputs
         self._destination = WINDOW
-        self._enlarged: Styler | None = None
-        """The styler, for the scale of the destination."""
+        self._enlarged: Styler | None = None  # the styler, for the scale of the destination
         self.styler: Styler | None = None
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
         self._covers = False
@@ -200,7 +199,8 @@ class Pipeline:
         self.counted.draws += sum(map(_count, given))
         if not given:
             return
-        if self.styler is not None and self._silence.wants_colours and not layer.over:
+        is_clear = not layer.over and self._destination is WINDOW
+        if self.styler is not None and self._silence.wants_colours and is_clear:
             behind = partial(self._brightness_behind, layer)
             self._silence.look_at(self.styler.name, inks_of(self.styler), behind)
         refusals = []
@@ -404,7 +404,7 @@ def draw_into(destination: Destination) -> None:
 
 
 def _end() -> None:
-    """Follow the program no more."""
+    """Stop following."""
     global _current
     if _current is not None:
         _current.stop()

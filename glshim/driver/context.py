@@ -13,7 +13,9 @@ from glshim.spec.constants import (
     GL_CONTEXT_CORE_PROFILE_BIT,
     GL_CONTEXT_PROFILE_MASK,
     GL_CURRENT_PROGRAM,
+    GL_DRAW_FRAMEBUFFER,
     GL_EXTENSIONS,
+    GL_FRAMEBUFFER_COMPLETE,
     GL_LIST_INDEX,
     GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS,
     GL_NUM_EXTENSIONS,
@@ -65,6 +67,11 @@ def list_opened() -> None:
     _extensions(_kept.text)
 
 
+def list_is_open() -> bool:
+    """Whether this thread compiles a list, as far as was told."""
+    return bool(_kept.text)
+
+
 def list_closed() -> None:
     """It is whole."""
     _kept.text = ""
@@ -98,6 +105,13 @@ def restarts_primitives() -> bool:
     """Whether some index ends a primitive in the draws of now. Asks what this version knows."""
     number = version() or OLDEST
     return any(number >= since and is_enabled(switch) for switch, since in _RESTARTS)
+
+
+def is_complete(framebuffer: int) -> bool:
+    """Whether the framebuffer that is bound for drawing can be drawn into; a window's can."""
+    return not framebuffer or bool(
+        gl.glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE
+    )
 
 
 def compiles_a_list() -> bool:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from glshim.driver.ask import integer
-from glshim.driver.context import PROGRAM_SWITCHES, other_programs
+from glshim.driver.context import PROGRAM_SWITCHES, list_is_open, other_programs
 from glshim.driver.functions import gl, quick
 from glshim.model.camera import Camera
 from glshim.sources.lights import LampReader
@@ -128,6 +128,7 @@ class StateReader:
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
         self._stencil_calls: list[Callable[[], None]] = []
+        self._texture_calls: list[Callable[[], None]] = []
         self._stencil_test = ctypes.c_int32()
         self._lit_calls: list[Callable[[], None]] = []
         self._lit = ctypes.c_int32()
@@ -160,6 +161,9 @@ class StateReader:
         """The state now. A compatibility context must be current, outside glBegin/glEnd."""
         for get in self._calls or self._prepare():
             get()
+        if not list_is_open():  # where Mesa may find an error in them (`ask.is_enabled`)
+            for get in self._texture_calls:
+                get()
         if self._stencil_test.value:
             for get in self._stencil_calls:
                 get()
@@ -200,6 +204,8 @@ class StateReader:
             elif kind in ("other_program", "pipeline"):
                 if name in (self._other_programs or ()):
                     self._calls.append(call)
+            elif kind == "textured":
+                self._texture_calls = [call] if self._lighting else []
             elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
             if kind == "lighting":
@@ -242,7 +248,7 @@ def _brightest(words: tuple[int, ...]) -> float:
 
 def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
     """Whether a kind of value is in the key."""
-    return {"clip": clips, "lighting": lighting, "textured": lighting}.get(kind, True)
+    return {"clip": clips, "lighting": lighting}.get(kind, True)
 
 
 def _decode_rest(key: bytes, lighting: bool) -> DrawState:

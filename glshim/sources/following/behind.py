@@ -6,7 +6,8 @@ from typing import Any
 
 from glshim.driver.arguments import number
 from glshim.driver.ask import integer, is_enabled, reals
-from glshim.driver.context import has_framebuffers
+from glshim.driver.context import has_framebuffers, is_complete
+from glshim.driver.queries import counting
 from glshim.model.boxes import Unbacked
 from glshim.sources.following.faults import styling
 from glshim.sources.following.scene import Scene
@@ -36,6 +37,8 @@ def lay_behind(
         return
     backdrop = state.flat and not carries
     if backdrop and not (polygons and scene.layer.backing.awaited and _is_pictured()):
+        return
+    if counting() or not is_complete(state.framebuffer):
         return
     places = scene.layer.unbacked(state, carries=carries, polygons=polygons)
     if places is None:

@@ -68,6 +68,7 @@ class Follower:
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._scenes = Scenes(stream, sink.context_ended)
         self._primitive = _Open()
+        self._draws_ink = False
         self.faults = Faults(self._drop, sink.give_up)
 
     def restyle(self, wanted: Wanted | None) -> None:
@@ -283,7 +284,7 @@ class Follower:
         scene = self._scenes.current()
         self.census.latest = ""
         if scene is not None:
-            drawing = draws_no_polygons(name)
+            self._draws_ink = drawing = draws_no_polygons(name)
             if drawing:
                 scene.fixed.lists.add(Marks())
             self._open(not drawing, scene, ink=drawing)
@@ -295,7 +296,7 @@ class Follower:
         if scene is None:
             return
         state = self._close(scene)
-        if shape is None and not self._idle:
+        if shape is None and not (self._idle or self._draws_ink):
             self.census.drew_no_polygons()
         if scene.refused or shape is None:
             return
@@ -339,7 +340,7 @@ class Follower:
         if layer.pending and not compiling and (layer.overdue or layer.ends_with(state)):
             self._end_layer(scene, waits=layer.same_target(state))
         obstacle = scene.obstacle(state)
-        text = polygons and not obstacle and scene.lettering.draws(state)
+        text = polygons and not (obstacle or compiling) and scene.lettering.draws(state)
         carries = polygons and not (obstacle or text or scene.condition.discards)
         carries = carries and layer.carries(state)
         if self._sink.has_background and not compiling:
