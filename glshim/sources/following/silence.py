@@ -120,7 +120,9 @@ class Silence:
         if not inks or max(map(max, inks.values())) > DARK:
             return
         behind = brightness_behind()
-        if behind is not None and behind <= DARK:
+        if behind is not None and behind > DARK:
+            self._looks = _LOOKS  # a second view may be dark, such as a map in a corner
+        elif behind is not None:
             self._hinted = True
             say(
                 "the program's background is dark, and dark lines can hardly be seen on it: try "
