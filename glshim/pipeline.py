@@ -17,12 +17,12 @@ from functools import partial
 from glshim import toolkits
 from glshim.bindings.base import Binding, Watcher
 from glshim.bindings.pyopengl.binding import PYOPENGL
-from glshim.errors import RenderError
 from glshim.model.boxes import Box, Unbacked
 from glshim.model.lights import MaterialChange, Materials
 from glshim.notices import say_fault
 from glshim.outputs.gl.picture import Picture
 from glshim.outputs.output import WINDOW, Destination, Given, Ink, Output
+from glshim.outputs.several import Refused, Several
 from glshim.sources.following.census import Census
 from glshim.sources.following.follower import Follower
 from glshim.sources.following.layers import FinishedLayer
@@ -32,10 +32,9 @@ from glshim.sources.following.silence import Silence
 from glshim.sources.lights import light
 from glshim.sources.state import DrawState
 from glshim.spec.roles import Role
-from glshim.styling.asking import wanted
+from glshim.styling.asking import inks_of, wanted
 from glshim.styling.enlarging import enlarged
-from glshim.styling.inks import inks_of
-from glshim.styling.protocol import Layer, Pass, Styler
+from glshim.styling.protocol import PAINTED, Layer, Pass, Styler
 from glshim.styling.values import Colour
 from glshim.system import modules
 from glshim.system.ending import at_end
@@ -59,20 +58,24 @@ class Counted:
 
 
 class Pipeline:
-    """From the program's calls to what a styler adds at the end of each layer: a `LayerSink`.
+    """From the program's calls to what a styler adds at the end of each layer: a
+    `glshim.sources.following.sink.LayerSink`.
 
     Following outlives a style: display lists and buffers that were made under one, or under none,
     are known to the next.
     """
 
     def __init__(self, outputs: Sequence[Output] = OUTPUTS) -> None:
-        self._outputs = outputs
+        self._output = Several(outputs)
         self._destination = WINDOW
-        self._enlarged: Styler | None = None  # the styler, for the scale of the destination
+        self._enlarged: Styler | None = None
+        """The styler, for the scale of the destination."""
         self.styler: Styler | None = None
         """Whose draws are added; None: nobody's, and every frame is the app's own."""
         self._covers = False
         """Whether its surface is another than the app's."""
+        self.shows_paints = False
+        """Whether that shows the app's paints."""
         self.gathers_ink = False
         """Whether it keeps the program's own ink."""
         self.live = False
@@ -103,10 +106,10 @@ class Pipeline:
             styler = None
         self.styler = styler
         self._enlarge()
-        self._covers = styler is not None and styler.surface != "app"
+        surface = styler.surface if styler is not None else "app"
+        self._covers, self.shows_paints = surface != "app", surface in PAINTED
         self.gathers_ink = styler is not None and styler.gathers_ink
-        for output in self._outputs:
-            output.set_styler(styler)
+        self._output.set_styler(styler)
         self._follower.restyle(wanted(styler) if styler is not None else None)
 
     def use_style_next(self, styler: Styler | None) -> None:
@@ -133,46 +136,41 @@ class Pipeline:
 
     def lay_background(self, places: Unbacked) -> bool:
         """Before the app draws in places of its framebuffer."""
-        return all([output.lay_background(places) for output in self._outputs])
+        return self._output.lay_background(places)
 
     def lift_background(self, box: Box, own: Colour) -> tuple[Box, ...]:
         """Before the app looks at some pixels."""
-        return tuple(b for output in self._outputs for b in output.lift_background(box, own))
+        return self._output.lift_background(box, own)
 
     def cover(self, materials: Materials = Materials.STAY) -> None:
         """Before the app draws polygons that carry lines: the styler's surface."""
         if self._covers:
-            for output in self._outputs:
-                output.cover(materials)
+            self._output.cover(materials)
 
     def material(self, change: MaterialChange) -> None:
         """Inside a primitive that is covered."""
         if self._covers:
-            for output in self._outputs:
-                output.material(change)
+            self._output.material(change)
 
     def uncover(self) -> None:
         """After it."""
         if self._covers:
-            for output in self._outputs:
-                output.uncover()
+            self._output.uncover()
 
     def gather_ink(self, state: DrawState, scene: Scene, *, first: bool, listed: bool) -> bool:
         """The app is about to draw text or lines of its own."""
         place, tested, written = state.framebuffer, state.depth_tested, state.depth_written
         ink = Ink(place, state.camera.viewport, tested, written, listed)
-        return any([output.gather_ink(ink, scene, first=first) for output in self._outputs])
+        return self._output.gather_ink(ink, scene, first=first)
 
     def ink_gathered(self) -> None:
         """It has drawn them."""
-        for output in self._outputs:
-            output.ink_gathered()
+        self._output.ink_gathered()
 
     def lay_ink(self, run: Run, scene: Scene, *, recoloured: bool) -> None:
         """What was gathered goes into the picture."""
         place, onto = run.framebuffer, self._destination
-        for output in self._outputs:
-            output.lay_ink(place, onto, tested=run.tested, recoloured=recoloured)
+        self._output.lay_ink(place, onto, tested=run.tested, recoloured=recoloured)
 
     def layer_ends(self, finished: FinishedLayer, scene: Scene) -> None:
         """A layer's depth is final: the styler says what to add, the outputs add it."""
@@ -201,29 +199,22 @@ class Pipeline:
             return
         is_clear = not layer.over and self._destination is WINDOW
         if self.styler is not None and self._silence.wants_colours and is_clear:
-            behind = partial(self._brightness_behind, layer)
+            behind = partial(self._output.brightness_behind, layer)
             self._silence.look_at(self.styler.name, inks_of(self.styler), behind)
-        refusals = []
-        for output in self._outputs:
-            try:
-                output.add(given, layer, self._destination, scene)
-            except RenderError as error:
-                say_unstyled(str(error))
-                refusals.append(str(error))
-        if len(refusals) == len(self._outputs):
-            scene.unpainted = "; ".join(refusals)
-
-    def _brightness_behind(self, layer: Layer) -> float | None:
-        found = (output.brightness_behind(layer) for output in self._outputs)
-        return next((one for one in found if one is not None), None)
+        try:
+            self._output.add(given, layer, self._destination, scene)
+        except Refused as refused:
+            for reason in refused.reasons:
+                say_unstyled(reason)
+            if refused.all_of_them:
+                scene.unpainted = str(refused)
 
     def _frame_over(self) -> None:
         """A frame was presented."""
         if self.styler is not None:
             self._silence.frame_ends(self.counted.draws)
         self.counted = Counted()
-        for output in self._outputs:
-            output.frame_ends()
+        self._output.frame_ends()
         if self._next is not None:
             self.use_style(*self._next)
 
@@ -250,8 +241,7 @@ class Pipeline:
 
     def context_ended(self, handle: int) -> None:
         """A context is gone, and perhaps left its handle to a new one."""
-        for output in self._outputs:
-            output.forget(handle)
+        self._output.forget(handle)
 
     def give_up(self, error: BaseException) -> None:
         """A fault in the shim or in a styler: said once with its traceback, styling ends."""
@@ -270,13 +260,11 @@ class Pipeline:
         if self._listener is not None:
             self._listener.stop()
         BINDING.detach()
-        for output in self._outputs:
-            output.uncover()
+        self._output.uncover()
 
     def release(self) -> None:
         """Give back what the current context holds for this style alone."""
-        for output in self._outputs:
-            output.release()
+        self._output.release()
 
     @property
     def _name(self) -> str:
@@ -393,18 +381,19 @@ def styled(styler: Styler) -> Iterator[None]:
 
 
 def counted() -> Counted:
-    """What the frame that ends now is made of, after `Stage.DRAW`."""
+    """What the frame that ends now is made of: for who listens to frame ends after `Stage.DRAW`."""
     return _current.counted if _current is not None else Counted()
 
 
 def draw_into(destination: Destination) -> None:
-    """The program draws into something else from now on: into tiles of a large picture, say."""
+    """The program draws into something else from now on: a shot, into tiles of a large picture in
+    place of its window. What the style draws is enlarged as the picture is."""
     if _current is not None:
         _current.draw_into(destination)
 
 
 def _end() -> None:
-    """Stop following."""
+    """Follow the program no more."""
     global _current
     if _current is not None:
         _current.stop()

@@ -69,7 +69,7 @@ def list_opened() -> None:
 
 def list_is_open() -> bool:
     """Whether this thread compiles a list, as far as was told."""
-    return bool(_kept.text)
+    return bool(_kept.text) and _kept.context == current_context()
 
 
 def list_closed() -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from glshim.geometry.window import window
 from glshim.linework.walk import Walk
-from glshim.model.arrays import Complexes, Doubles, Rows
+from glshim.model.arrays import Complexes, Doubles, Rows, within
 from glshim.model.camera import Camera
 from glshim.model.vectors import dot, unit
 
@@ -253,7 +253,7 @@ def _samples(walk: Walk) -> tuple[Rows, Doubles]:
     begins, ends = (np.floor(place / _STEP + 0.5) for place in (along, along + size))
     counts = np.minimum(ends - begins, _MOST_SAMPLES).astype(np.intp)
     which = np.repeat(np.arange(len(order)), counts)
-    number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+    number = within(counts)
     share = ((begins[which] + number + 0.5) * _STEP - along[which]) / np.maximum(size[which], 1e-9)
     crowded = (ends - begins)[which] > _MOST_SAMPLES
     share = np.where(crowded, (number + 0.5) / _MOST_SAMPLES, np.clip(share, 0.0, 1.0))

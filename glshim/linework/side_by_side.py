@@ -42,15 +42,19 @@ def _sharp(records: Floats) -> Rows:
 
 def _on_others(sides: Floats) -> Flags:
     """(N,) of sides (N, 6)."""
-    order, first, _ = neighbours(sides, None)
-    counts = np.diff(first, append=len(order))
-    shared = np.zeros(len(sides), np.bool_)
-    shared[order[np.repeat(counts > 1, counts)]] = True
+    shared = _met(sides)
     alone = np.flatnonzero(~shared)
     cut = pieces(sides, np.arange(len(sides), dtype=np.int32), alone, None)
     if cut is not None:
         parts, parent = cut
-        order, first, _ = neighbours(parts, None)
-        counts = np.diff(first, append=len(order))
-        shared[parent[order[np.repeat(counts > 1, counts)]]] = True
+        shared[parent[_met(parts)]] = True
     return shared
+
+
+def _met(sides: Floats) -> Flags:
+    """(N,) which of sides (N, 6) another one equals."""
+    order, first, _ = neighbours(sides, None)
+    counts = np.diff(first, append=len(order))
+    found = np.zeros(len(sides), np.bool_)
+    found[order[np.repeat(counts > 1, counts)]] = True
+    return found

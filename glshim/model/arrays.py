@@ -22,6 +22,14 @@ Flags = NDArray[np.bool_]
 Keys = NDArray[np.uint64]
 """What is sorted or compared in place of something longer."""
 
+
+
+def within(counts: NDArray[np.integer]) -> Rows:
+    """(sum of counts,) 0, 1, 2 ... of each of several runs that are so long."""
+    begins = np.cumsum(counts) - counts
+    return np.asarray(np.arange(int(counts.sum())) - np.repeat(begins, counts), np.intp)
+
+
 # numpy's C code looks for modules of numpy's the first time that it needs them. Now they are to be
 # found, whatever the program has under that name later (`glshim.system.modules`).
 np.zeros((1, 1)).max(axis=1).any()

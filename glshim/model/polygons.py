@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.model.arrays import Flags, Indices, Rows
+from glshim.model.arrays import Flags, Indices, Rows, within
 
 
 class Fans(NamedTuple):
@@ -33,7 +33,7 @@ def fans(starts: NDArray[np.integer]) -> Fans:
     sizes = np.diff(starts)
     counts = np.maximum(sizes - 2, 0)
     polygon = np.repeat(np.arange(len(sizes), dtype=np.int32), counts)
-    step = np.arange(len(polygon)) - np.repeat(np.cumsum(counts) - counts, counts)
+    step = within(counts)
     hub = starts[:-1][polygon]
     corners = np.stack((hub, hub + step + 1, hub + step + 2), axis=1)
     outer = np.ones(corners.shape, np.bool_)

@@ -128,7 +128,7 @@ class StateReader:
         self._buffer = (ctypes.c_int32 * _COUNT)()
         self._calls: list[Callable[[], None]] = []
         self._stencil_calls: list[Callable[[], None]] = []
-        self._texture_calls: list[Callable[[], None]] = []
+        self._ask_textured: Callable[[], None] | None = None
         self._stencil_test = ctypes.c_int32()
         self._lit_calls: list[Callable[[], None]] = []
         self._lit = ctypes.c_int32()
@@ -161,9 +161,9 @@ class StateReader:
         """The state now. A compatibility context must be current, outside glBegin/glEnd."""
         for get in self._calls or self._prepare():
             get()
-        if not list_is_open():  # where Mesa may find an error in them (`ask.is_enabled`)
-            for get in self._texture_calls:
-                get()
+        # Mesa may find an error in it where a list is open (`ask.is_enabled`).
+        if self._ask_textured is not None and not list_is_open():
+            self._ask_textured()
         if self._stencil_test.value:
             for get in self._stencil_calls:
                 get()
@@ -205,7 +205,7 @@ class StateReader:
                 if name in (self._other_programs or ()):
                     self._calls.append(call)
             elif kind == "textured":
-                self._texture_calls = [call] if self._lighting else []
+                self._ask_textured = call if self._lighting else None
             elif _is_asked(kind, clips=self._clips, lighting=self._lighting):
                 self._calls.append(call)
             if kind == "lighting":

@@ -31,7 +31,9 @@ from glshim.styling.values import Colour, Layer
 
 __all__ = ["BackFaces", "Colour", "Layer", "Lines", "Pass", "Styler", "option"]
 
-SURFACES = ("app", "none", "paint", "colours")
+PAINTED = ("paint", "colours")
+"""Surfaces in the app's own paints, without its light or its textures."""
+SURFACES = ("app", "none", *PAINTED)
 """Words of `Styler.surface`."""
 
 

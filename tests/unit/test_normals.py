@@ -347,7 +347,8 @@ def test_corners_keep_their_normals_in_any_soup(data):
     corner = st.integers(0, count - 1)
     polygons = data.draw(st.lists(st.lists(corner, min_size=1, max_size=6), min_size=1, max_size=8))
     polygons += data.draw(st.lists(st.sampled_from(polygons), max_size=3))
-    points = np.array([(i, i * i, i**3) for i in range(count)], np.float32)
+    # No three points are near a line: nothing is a junction of sides, where corners are cut in two.
+    points = np.array([(np.cos(2.4 * i), np.sin(2.4 * i), i % 3) for i in range(count)], np.float32)
     points[-1] = points[0]  # welded
     b = numbered(batch(points, polygons))
     holds(mesh(b), b)

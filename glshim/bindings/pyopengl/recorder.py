@@ -106,7 +106,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
         def begin(*args: Any, **named: Any) -> Any:
             nonlocal expected, converted
-            own = record.__dict__
+            own = record.__dict__  # this thread's values, looked up once
             if own["loose"]:
                 record.settle()
                 own["loose"] = own["shadow"] = False
@@ -161,7 +161,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
 
         def end(*args: Any, **named: Any) -> Any:
             nonlocal expected
-            own = record.__dict__
+            own = record.__dict__  # as in begin
             held = own["held"] is not None
             if not held and not own["shadow"]:
                 return real(*args, **named)

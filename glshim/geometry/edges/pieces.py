@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from glshim.geometry.recovery.junctions import Lone, junctions
+from glshim.geometry.recovery.junctions import PARTED, Lone, junctions
 from glshim.geometry.recovery.welding import weld
 from glshim.model.arrays import Floats, Indices, Rows
-
-_PARTED = 2.0**-17
-"""Over the extent of all: how far rounding moves a corner that is computed twice."""
 
 
 def pieces(
@@ -28,7 +25,7 @@ def pieces(
         extent = float((points.max(axis=0) - points.min(axis=0)).max())
     if not np.isfinite(extent):
         return None
-    first, vertex = weld(points, extent * _PARTED)
+    first, vertex = weld(points, extent * PARTED)
     own = None if owner is None else owner[alone]
     if own is not None:  # a vertex for each owner
         key = vertex * np.int64(own.max() + 1) + np.repeat(own, 2)

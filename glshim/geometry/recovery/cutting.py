@@ -10,13 +10,10 @@ from numpy.typing import NDArray
 
 from glshim.geometry.recovery.adjacency import Sides
 from glshim.geometry.recovery.fans import Fans
-from glshim.geometry.recovery.junctions import LOOSE, ROUNDING, Junctions, Lone, junctions
+from glshim.geometry.recovery.junctions import LOOSE, PARTED, ROUNDING, Junctions, Lone, junctions
 from glshim.geometry.recovery.welding import weld
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.vectors import dot
-
-_PARTED = 2.0**-17
-"""Over the extent of all open sides: how far rounding moves a corner that is computed twice."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,7 +78,7 @@ def rims_welded(triangles: Indices, positions: Floats, sides: Sides) -> Indices 
         extent = float((places.max(axis=0) - places.min(axis=0)).max())
     if not np.isfinite(extent):
         return None
-    first, vertex = weld(places, extent * _PARTED)
+    first, vertex = weld(places, extent * PARTED)
     if len(first) == len(rim):
         return None
     found = np.arange(len(positions), dtype=np.int32)

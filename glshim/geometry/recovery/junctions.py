@@ -13,7 +13,7 @@ import numpy as np
 
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.welding import distinct, mixed
-from glshim.model.arrays import Doubles, Flags, Indices, Rows
+from glshim.model.arrays import Doubles, Flags, Indices, Rows, within
 from glshim.model.vectors import dot
 
 _EXACT = 1e-3
@@ -23,6 +23,8 @@ LOOSE = 0.08
 """The same between two places at which the surfaces meet exactly: chords of one curve."""
 ROUNDING = 16 * float(np.finfo(np.float32).eps)
 """Over the largest coordinate: what float32 corners miss a side by."""
+PARTED = 2.0**-17
+"""Over the extent of all open sides: how far it moves a corner that is computed twice."""
 _CURVED = 0.6
 """How far a vertex off a chord may be from where its own sides say that the curve runs, over its
 way from the chord."""
@@ -133,8 +135,7 @@ def _near(lone: Lone, length: Doubles, sound: Rows) -> tuple[Rows, Rows]:
     # never further than half a cell from one, and so in one of the eight cells about it.
     counts = np.maximum(np.ceil(2.0 * length[sound] / step), 1.0).astype(np.intp)
     which = np.repeat(sound, counts)
-    at = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
-    share = (at + 0.5) / np.repeat(counts, counts)
+    share = (within(counts) + 0.5) / np.repeat(counts, counts)
     a, b = points[ends[which, 0]], points[ends[which, 1]]
     corner = np.floor((a + share[:, None] * (b - a)) / step - 0.5)
     sides, vertices = [], []
@@ -143,8 +144,7 @@ def _near(lone: Lone, length: Doubles, sound: Rows) -> tuple[Rows, Rows]:
         low = begins.take(cell)
         found = np.minimum(begins.take(cell + 1) - low, _CROWD)
         sides.append(np.repeat(which, found))
-        within = np.arange(int(found.sum())) - np.repeat(np.cumsum(found) - found, found)
-        vertices.append(held.take(np.repeat(low, found) + within))
+        vertices.append(held.take(np.repeat(low, found) + within(found)))
     side, vertex = np.concatenate(sides), np.concatenate(vertices)
     own = (vertex == ends[side, 0]) | (vertex == ends[side, 1])
     return side[~own], vertex[~own]
@@ -168,8 +168,7 @@ def _meant(
     starts = np.searchsorted(ordered, found.vertex)
     counts = np.searchsorted(ordered, found.vertex, "right") - starts
     row = np.repeat(np.arange(count), counts)
-    within = np.arange(len(row)) - np.repeat(np.cumsum(counts) - counts, counts)
-    half = by_vertex[np.repeat(starts, counts) + within]
+    half = by_vertex[np.repeat(starts, counts) + within(counts)]
     one, other = found.side[row], half // 2
     lengths = shape.length[one] * shape.length[other]
     beside = np.abs(dot(shape.way[one], shape.way[other])) >= _ALONG * lengths

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from glshim.driver.context import version
 from glshim.driver.functions import gl
+from glshim.driver.pixels import pack_plainly, transfer_plainly
 from glshim.model.boxes import Box, Unbacked
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.fixed import matrices_kept, plainest
@@ -20,11 +20,6 @@ from glshim.spec.constants import (
     GL_FRAMEBUFFER_SRGB,
     GL_LEQUAL,
     GL_MODELVIEW,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PIXEL_PACK_BUFFER,
     GL_PROJECTION,
     GL_RGB,
     GL_SCISSOR_TEST,
@@ -62,11 +57,8 @@ def lift(box: Box, laid: Colour, own: Colour) -> tuple[Box, ...]:
     x, y, width, height = box
     seen = np.zeros((height, width, 3), np.uint8)
     with Guard():
-        if (version() or (1, 1)) >= (2, 1):
-            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
-        for setting in (GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS):
-            gl.glPixelStorei(setting, 0)
-        gl.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        pack_plainly()
+        transfer_plainly()
         gl.glReadPixels(*box, GL_RGB, GL_UNSIGNED_BYTE, seen.ctypes.data)
         same = (abs(seen - np.multiply(laid, 255.0)) < 1.0).all(2)
         pixels = tuple((x + int(i), y + int(j), 1, 1) for j, i in np.argwhere(same))

@@ -13,8 +13,9 @@ import numpy as np
 from glshim.bindings.imports import after_import
 from glshim.bindings.pyopengl.raw import Call, hook_function_below
 from glshim.bindings.pyopengl.recorder import RECORDER
-from glshim.driver.ask import integer, reals
+from glshim.driver.ask import reals
 from glshim.driver.functions import gl
+from glshim.driver.pixels import pack_plainly, transfer_plainly
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.target import RenderTarget
 from glshim.running.shots import bitmaps
@@ -34,13 +35,6 @@ from glshim.spec.constants import (
     GL_DEPTH_TEST,
     GL_FOG,
     GL_LIGHTING,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PACK_SWAP_BYTES,
-    GL_PIXEL_PACK_BUFFER,
-    GL_PIXEL_PACK_BUFFER_BINDING,
     GL_RGBA,
     GL_RGBA8,
     GL_SCISSOR_TEST,
@@ -57,10 +51,6 @@ _OFF = (
     GL_CLIP_PLANE2, GL_CLIP_PLANE3, GL_CLIP_PLANE4, GL_CLIP_PLANE5,
 )  # fmt: skip
 """What would change or drop the pixels of a glyph."""
-_PACKING = (
-    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_ROW_LENGTH, 0), (GL_PACK_SKIP_ROWS, 0),
-    (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 1),
-)  # fmt: skip
 
 
 class Glyphs:
@@ -132,12 +122,9 @@ class Glyphs:
             self._character(font, code)
             place = reals(GL_CURRENT_RASTER_POSITION, 4)
             pixels = ctypes.create_string_buffer(_SIZE * _SIZE * 4)
-            for name, plain in _PACKING:
-                gl.glPixelStorei(name, plain)
-            buffer = integer(GL_PIXEL_PACK_BUFFER_BINDING)
-            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
+            pack_plainly()
+            transfer_plainly()
             gl.glReadPixels(0, 0, _SIZE, _SIZE, GL_RGBA, GL_UNSIGNED_BYTE, pixels)
-            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer)
         seen = np.frombuffer(pixels.raw, np.uint8).reshape(_SIZE, _SIZE, 4)[..., 0] > 127
         rows, columns = (np.flatnonzero(seen.any(axis=k)) for k in (1, 0))
         move = place[0] - _MIDDLE, place[1] - _MIDDLE

@@ -47,9 +47,11 @@ class ListCompiler:
         self.needs_base = self._partial
         return self.book.end()
 
-    def materials_vary(self, role: Role, args: Sequence[Any]) -> bool:
-        """Whether a call of LIST_CALLS changes materials while it draws."""
-        return self.book.any_varies and any(map(self.book.materials_vary, self.names(role, args)))
+    def called(self, role: Role, args: Sequence[Any]) -> tuple[bool, bool]:
+        """Of a call of LIST_CALLS: whether it draws lines, points, text or nothing, and whether it
+        changes materials while it draws."""
+        facts = [self.book.facts(name) for name in self.names(role, args)]
+        return all(each.draws_ink for each in facts), any(each.materials_vary for each in facts)
 
     def material_inside(self, change: MaterialChange) -> None:
         """An open list changes a material inside a primitive."""
@@ -80,10 +82,6 @@ class ListCompiler:
         if role is Role.LIST_CALL:
             return list_names(role, args, 0)
         return list_names(role, args, self._base if inside else integer(GL_LIST_BASE))
-
-    def draws_ink(self, role: Role, args: Sequence[Any]) -> bool:
-        """Whether a call of LIST_CALLS draws no polygons: lines, points, text or nothing."""
-        return all(map(self.book.draws_ink, self.names(role, args)))
 
     def left_open(self, names: tuple[int, ...]) -> int | None:
         """The first list that, called, ends inside a primitive that it began."""

@@ -15,33 +15,18 @@ from numpy.typing import NDArray
 
 from glshim.driver.ask import integer, is_enabled
 from glshim.driver.functions import gl
+from glshim.driver.pixels import pack_plainly, transfer_plainly
 from glshim.driver.unnoticed import Unnoticed
 from glshim.sources.state import DrawState
 from glshim.spec.constants import (
-    GL_ALPHA_BIAS,
-    GL_ALPHA_SCALE,
     GL_ALPHA_TEST,
     GL_ATTRIB_STACK_DEPTH,
     GL_BLEND,
-    GL_BLUE_BIAS,
-    GL_BLUE_SCALE,
     GL_CLIENT_ATTRIB_STACK_DEPTH,
     GL_CLIENT_PIXEL_STORE_BIT,
-    GL_GREEN_BIAS,
-    GL_GREEN_SCALE,
-    GL_MAP_COLOR,
     GL_MAX_ATTRIB_STACK_DEPTH,
     GL_MAX_CLIENT_ATTRIB_STACK_DEPTH,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_LSB_FIRST,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PACK_SWAP_BYTES,
     GL_PIXEL_MODE_BIT,
-    GL_PIXEL_PACK_BUFFER,
-    GL_RED_BIAS,
-    GL_RED_SCALE,
     GL_RGBA,
     GL_TEXTURE_2D,
     GL_TEXTURE_ALPHA_SIZE,
@@ -54,15 +39,6 @@ from glshim.spec.constants import (
 
 _MOST = 4096
 """Texels of a side that are looked into."""
-_PACKING = (
-    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_LSB_FIRST, 0), (GL_PACK_ROW_LENGTH, 0),
-    (GL_PACK_SKIP_ROWS, 0), (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 1),
-)  # fmt: skip
-_TRANSFER = (
-    (GL_MAP_COLOR, 0.0), (GL_RED_SCALE, 1.0), (GL_GREEN_SCALE, 1.0), (GL_BLUE_SCALE, 1.0),
-    (GL_ALPHA_SCALE, 1.0), (GL_RED_BIAS, 0.0), (GL_GREEN_BIAS, 0.0), (GL_BLUE_BIAS, 0.0),
-    (GL_ALPHA_BIAS, 0.0),
-)  # fmt: skip
 
 
 class Lettering:
@@ -130,11 +106,8 @@ def _texels(width: int, height: int) -> NDArray[np.uint8] | None:
         gl.glPushAttrib(GL_PIXEL_MODE_BIT)
         gl.glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT)
         try:
-            gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
-            for setting in _PACKING:
-                gl.glPixelStorei(*setting)
-            for name, value in _TRANSFER:
-                gl.glPixelTransferf(name, value)
+            pack_plainly()
+            transfer_plainly()
             gl.glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, found.ctypes.data)
         finally:
             gl.glPopClientAttrib()

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,6 +82,17 @@ class ListProgram:
     """It changes materials inside primitives, or has them follow the current colour."""
 
 
+class Facts(NamedTuple):
+    """What is known of calling a list."""
+
+    draws_ink: bool
+    """It draws lines, points or text, and no polygons."""
+    materials_vary: bool
+    """It changes materials while it draws."""
+    reach: frozenset[int]
+    """The list and all that it calls."""
+
+
 @dataclass(frozen=True, slots=True)
 class ListPolygons:
     """What calling a list draws."""
@@ -100,16 +111,12 @@ class ListBook:
         """What batches shall come with; may change between calls of lists."""
         self._programs: dict[int, ListProgram] = {}
         self._resolved: dict[tuple[int, int, Wanted], tuple[ListPolygons, frozenset[int]]] = {}
-        self._inks: dict[int, tuple[bool, frozenset[int]]] = {}
-        """By list, whether it draws ink alone, and the lists that this depends on."""
+        self._facts: dict[int, Facts] = {}
+        """By list."""
         self.open: ListProgram | None = None
         """The program being compiled."""
         self._name = 0
         """Of the list that it will be."""
-        self.any_varies = False
-        """Some list changes materials while it draws."""
-        self._varies: dict[int, bool] = {}
-        """By name, where that is known: `materials_vary`."""
 
     def begin(self, name: int) -> None:
         """glNewList."""
@@ -120,7 +127,6 @@ class ListBook:
         if self.open is None:
             return None
         self.open.materials_vary |= any(map(_follows_colours, self.open.items))
-        self.any_varies |= self.open.materials_vary
         self._programs[self._name] = self.open
         self._changed({self._name})
         self.open = None
@@ -131,17 +137,23 @@ class ListBook:
         stale = [at for at, (_, used) in self._resolved.items() if not used.isdisjoint(names)]
         for at in stale:
             del self._resolved[at]
-        for name in [n for n, (_, used) in self._inks.items() if not used.isdisjoint(names)]:
-            del self._inks[name]
-        self._varies.clear()
+        for name in [n for n, each in self._facts.items() if not each.reach.isdisjoint(names)]:
+            del self._facts[name]
 
-    def materials_vary(self, name: int) -> bool:
-        """Whether calling the list changes materials while it draws."""
-        found = self._varies.get(name)
+    def facts(self, name: int) -> Facts:
+        """Of a list and all that it calls."""
+        found = self._facts.get(name)
         if found is None:
-            known = (self._programs.get(each) for each in self._reach(name))
-            found = any(program.materials_vary for program in known if program is not None)
-            self._varies[name] = found
+            reach = frozenset(self._reach(name))
+            programs = [self._programs.get(each) for each in reach]
+            known = [program for program in programs if program is not None]
+            steps = [item for program in known for item in program.items if type(item) is not Call]
+            ink = all(map(is_no_polygon, steps)) and any(map(is_drawn, steps))
+            found = self._facts[name] = Facts(
+                len(known) == len(programs) and ink,
+                any(program.materials_vary for program in known),
+                reach,
+            )
         return found
 
     def _reach(self, name: int) -> set[int]:
@@ -184,15 +196,6 @@ class ListBook:
         for item in self.items(name):
             found = isinstance(item, Opening) or (found and not isinstance(item, Closing))
         return found
-
-    def draws_ink(self, name: int) -> bool:
-        """Whether the list is known to draw lines, points or text, and no polygons."""
-        found = self._inks.get(name)
-        if found is None:
-            steps = list(self.items(name))
-            ink = all(map(is_no_polygon, steps)) and any(map(is_drawn, steps))
-            found = self._inks[name] = ink, frozenset(self._reach(name))
-        return found[0]
 
     def knows(self, name: int) -> bool:
         """Whether the list was seen being compiled."""

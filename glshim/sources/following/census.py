@@ -40,7 +40,6 @@ class Census:
         """Why the draw of polygons that came last carries none."""
         self.others = 0
         """Draws of lines, points and pixels."""
-        self.colour_cleared = False
         self.refused: set[str] = set()
         """Why nothing can be styled in contexts of the program's, or at times; said when it was."""
         self.polygons: Counter[Path] | None = None

@@ -13,9 +13,10 @@ from glshim.system.interrupts import Held
 
 
 def cover_anew(sink: LayerSink, stream: PrimitiveStream, scene: Scene) -> None:
-    """The open primitive, which is covered, is about to change a material: where nothing of it has
-    reached the driver, it is begun anew in a surface that follows its changes."""
-    if scene.fixed.lists.is_open or not stream.unsaid():
+    """The open primitive is about to change a material: where it is covered by paints, and nothing
+    of it has reached the driver, it is begun anew in a surface that follows its changes."""
+    covered = sink.shows_paints and scene.drawing is not None and scene.drawing.depth_written
+    if not covered or scene.fixed.lists.is_open or not stream.unsaid():
         return
     with Held():
         gl.glEnd()

@@ -17,18 +17,18 @@ from glshim.sources.fixed.immediate import POLYGON_MODES
 from glshim.sources.fixed.materials import material_change
 from glshim.sources.fixed.steps import Change, Closing, LooseVertices, Marks
 from glshim.sources.following import census
-from glshim.sources.following.behind import lay_behind, lift, put_down
+from glshim.sources.following.behind import lay_behind
 from glshim.sources.following.census import Census
 from glshim.sources.following.changing import cover_anew
 from glshim.sources.following.faults import Faults, contained, styling
 from glshim.sources.following.gathering import is_let_through, is_wire, lay_ink, mind_ink
 from glshim.sources.following.glass import is_glass
 from glshim.sources.following.ground import clear
+from glshim.sources.following.picking import pick_begins, pick_ends
 from glshim.sources.following.scene import Scene, Scenes
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.source import Call, Drawn
 from glshim.sources.state import DrawState
-from glshim.spec.pixels import PICK_AREA
 from glshim.spec.roles import (
     BUFFER_WRITES,
     CONDITIONS,
@@ -54,6 +54,8 @@ class _Open(threading.local):
     """Where it is drawn."""
     spoilt = False
     """Something of it could not be followed."""
+    is_ink = False
+    """The shape of a C library's that is under way has no polygons."""
 
 
 class Follower:
@@ -68,11 +70,11 @@ class Follower:
         """Nothing is drawn: only what lists hold and which buffers were written is followed."""
         self._scenes = Scenes(stream, sink.context_ended)
         self._primitive = _Open()
-        self._draws_ink = False
         self.faults = Faults(self._drop, sink.give_up)
 
     def restyle(self, wanted: Wanted | None) -> None:
-        """Polygons come with something else from now on, or (None) not at all; layers go."""
+        """Polygons shall come with something else from now on, or (None) not at all. What layers
+        hold is dropped: between frames nothing."""
         self._idle = wanted is None
         self._scenes.restyle(wanted or POSITIONS)
 
@@ -145,7 +147,7 @@ class Follower:
         """A primitive changes its materials from vertex to vertex: it is begun anew, with nothing
         of it drawn, so that its surface can be one that follows them."""
         scene = self._primitive.scene
-        if scene is not None and scene.drawing is not None and scene.drawing.depth_written:
+        if scene is not None:
             cover_anew(self._sink, self._stream, scene)
 
     @contained
@@ -182,11 +184,8 @@ class Follower:
         elif role is Role.CLEAR or role is Role.CLEAR_BUFFER:
             self._clear(scene, role, args)
         elif role is Role.READ_PIXELS:
-            if number(args, 2) * number(args, 3) > PICK_AREA:
+            if not pick_begins(self._sink, scene, args):
                 self._finish(scene, waits=True)
-            else:  # it gets the app's own colours
-                lay_ink(self._sink, scene, plain=True)
-                lift(self._sink, scene, args)
         elif role in READERS:
             self._finish(scene, waits=role is not Role.TARGET)
         elif role in BUFFER_WRITES:
@@ -205,8 +204,8 @@ class Follower:
         if scene.refused or scene.fixed.lists.only_compiles or scene.condition.discards:
             return
         found = clear(role, args)
-        self.census.colour_cleared |= found.colour
         if found.colour or found.depth:
+            scene.ink.cleared(colour=found.colour)
             self._finish(scene)
             scene.layer.cleared(found)
 
@@ -247,7 +246,7 @@ class Follower:
             if role is Role.BITMAP:
                 fixed.lists.add(Marks())
         elif role is Role.READ_PIXELS:
-            put_down(self._sink, scene)
+            pick_ends(self._sink, scene)
         elif role in IN_LISTS:
             fixed.lists.add(Change.of(name, args))
         elif role in CONDITIONS:
@@ -261,7 +260,7 @@ class Follower:
         scene = self._scenes.current()
         if scene is not None:
             self._close(scene)
-            put_down(self._sink, scene)
+            pick_ends(self._sink, scene)
 
     def _lists_called(self, scene: Scene, names: tuple[int, ...]) -> None:
         state = scene.drawing
@@ -284,7 +283,7 @@ class Follower:
         scene = self._scenes.current()
         self.census.latest = ""
         if scene is not None:
-            self._draws_ink = drawing = draws_no_polygons(name)
+            self._primitive.is_ink = drawing = draws_no_polygons(name)
             if drawing:
                 scene.fixed.lists.add(Marks())
             self._open(not drawing, scene, ink=drawing)
@@ -296,7 +295,7 @@ class Follower:
         if scene is None:
             return
         state = self._close(scene)
-        if shape is None and not (self._idle or self._draws_ink):
+        if shape is None and not (self._idle or self._primitive.is_ink):
             self.census.drew_no_polygons()
         if scene.refused or shape is None:
             return
@@ -311,11 +310,12 @@ class Follower:
         if role is Role.ARRAY_DRAW:
             polygons = number(args, 0) in POLYGON_MODES
             self._open(polygons, scene, ink=not polygons)
-        elif role in LIST_CALLS and scene.fixed.lists.draws_ink(role, args):
-            self._open(False, scene, ink=True, listed=True)
+        elif role not in LIST_CALLS:
+            self._open(True, scene)
         else:
-            varies = role in LIST_CALLS and scene.fixed.lists.materials_vary(role, args)
-            self._open(True, scene, Materials.VARY if varies else Materials.STAY)
+            ink, varies = scene.fixed.lists.called(role, args)
+            materials = Materials.VARY if varies else Materials.STAY
+            self._open(not ink, scene, materials, ink=ink, listed=True)
 
     def _open(
         self, polygons: bool, scene: Scene, materials: Materials = Materials.STAY, *,
@@ -414,6 +414,7 @@ class Follower:
         scene = self._scenes.current()
         if scene is not None:
             self._finish(scene)
+            scene.ink.shown()
             scene.layer.end_frame()
             scene.fixed.tick()
             self._scenes.frame_ends()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from glshim.driver.ask import integers, is_enabled
 from glshim.driver.context import is_complete
-from glshim.driver.queries import counting
+from glshim.driver.queries import counting, counting_if_seen
 from glshim.sources.following.faults import styling
 from glshim.sources.following.layers import LayerCollector
 from glshim.sources.following.ownink import Run
@@ -22,7 +22,7 @@ def mind_ink(
     gathered, too. ink: it is text or lines; carries: it is polygons of a layer; listed: a display
     list draws it."""
     own = scene.ink
-    gathers = ink and not own.lost and not counting() and is_complete(state.framebuffer)
+    gathers = ink and not own.lost and not counting_if_seen() and is_complete(state.framebuffer)
     run = run_of(state, scene.layer) if gathers else None
     if not own.joins(run, carries, scene.layer):
         lay_ink(sink, scene)

@@ -108,7 +108,7 @@ class LayerCollector:
         """Of earlier layers of the frame."""
         self.backing = Backing()
         self._backed: View | None = None
-        """The view that was looked at last."""
+        """The view that was last found to lack nothing."""
         self._deep: set[View] = set()
         """Views with depth that is there."""
         self._solid: dict[tuple[View, bytes], int] = {}
@@ -218,10 +218,12 @@ class LayerCollector:
         fits = self.backing.fits(polygons, flat=state.flat)
         if not carries and not (state.rendered and fits):
             return None
-        self._backed = view
         free = self._pictures.free(state.framebuffer, (state.camera.viewport,))
         missing = self.backing.missing(state.framebuffer, free)
-        return Unbacked(tuple(missing), self.backing.free_depth) if missing else None
+        if missing:
+            return Unbacked(tuple(missing), self.backing.free_depth)
+        self._backed = view
+        return None
 
     def add(self, state: DrawState, polygons: Polygons, camera: Camera) -> None:
         """Polygons drawn in this state and seen by a camera: of a primitive the state's."""

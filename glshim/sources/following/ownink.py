@@ -30,6 +30,15 @@ class OwnInk:
         self.lost = False
         """The picture was cleared with ink in it before any frame was known to end: nobody knows
         when this program shows its pictures, so they get its ink at once."""
+        self._shown = False
+
+    def shown(self) -> None:
+        """A picture is shown, with its ink."""
+        self._shown, self.lost = True, False
+
+    def cleared(self, *, colour: bool) -> None:
+        """The program clears its picture, or only the depths."""
+        self.lost |= colour and self.run is not None and not self._shown
 
     def joins(self, run: Run | None, carries: bool, layer: LayerCollector) -> bool:
         """Whether the ink that waits may wait on while something is drawn. run: the one that this

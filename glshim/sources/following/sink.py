@@ -29,6 +29,10 @@ class LayerSink(Protocol):
         """Polygons that carry lines are about to be drawn by the app. materials: what
         they do during the draw."""
 
+    @property
+    def shows_paints(self) -> bool:
+        """Whether what covers them shows the program's paints, which materials change."""
+
     def material(self, change: MaterialChange) -> None:
         """A material has changed inside the primitive that is covered."""
 

@@ -6,11 +6,11 @@ import numpy as np
 
 from glshim.driver.functions import gl
 from glshim.driver.objects import delete, made
+from glshim.driver.pixels import unpack_plainly
 from glshim.spec.constants import (
     GL_CLAMP_TO_EDGE,
     GL_LINEAR,
     GL_LINEAR_MIPMAP_LINEAR,
-    GL_PIXEL_UNPACK_BUFFER,
     GL_REPEAT,
     GL_RGBA,
     GL_RGBA8,
@@ -20,10 +20,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_MIN_FILTER,
     GL_TEXTURE_WRAP_S,
     GL_TEXTURE_WRAP_T,
-    GL_UNPACK_ALIGNMENT,
-    GL_UNPACK_ROW_LENGTH,
-    GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SKIP_ROWS,
     GL_UNSIGNED_BYTE,
 )
 from glshim.spec.kinds import TEXTURE
@@ -32,10 +28,6 @@ from glshim.styling.pictures import Image
 STROKE_UNIT = 13
 """Texture unit of the image while lines are drawn."""
 _MOST = 16
-_UNPACKING = (
-    (GL_UNPACK_ALIGNMENT, 1), (GL_UNPACK_ROW_LENGTH, 0), (GL_UNPACK_SKIP_ROWS, 0),
-    (GL_UNPACK_SKIP_PIXELS, 0),
-)  # fmt: skip
 _PARAMETERS = (
     (GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR), (GL_TEXTURE_MAG_FILTER, GL_LINEAR),
     (GL_TEXTURE_WRAP_S, GL_REPEAT), (GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE),
@@ -65,9 +57,7 @@ class Textures:
     def _upload(self, image: Image) -> int:
         name = made(TEXTURE)
         gl.glBindTexture(GL_TEXTURE_2D, name)
-        gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
-        for setting in _UNPACKING:
-            gl.glPixelStorei(*setting)
+        unpack_plainly()
         pixels = np.array(image.pixels[::-1], np.uint8)
         alpha = pixels[..., 3:] / 255.0
         pixels[..., :3] = np.rint(pixels[..., :3] * alpha)

@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 from glshim.driver.functions import gl
 from glshim.driver.objects import made
+from glshim.driver.pixels import unpack_plainly
 from glshim.spec.constants import (
     GL_FLOAT,
     GL_INT,
     GL_NEAREST,
-    GL_PIXEL_UNPACK_BUFFER,
     GL_RGBA,
     GL_RGBA16_SNORM,
     GL_RGBA32F,
@@ -23,10 +23,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_MAG_FILTER,
     GL_TEXTURE_MAX_LEVEL,
     GL_TEXTURE_MIN_FILTER,
-    GL_UNPACK_ALIGNMENT,
-    GL_UNPACK_ROW_LENGTH,
-    GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SKIP_ROWS,
 )
 from glshim.spec.kinds import TEXTURE
 
@@ -43,10 +39,6 @@ _PARAMETERS = (
     (GL_TEXTURE_MIN_FILTER, GL_NEAREST), (GL_TEXTURE_MAG_FILTER, GL_NEAREST),
     (GL_TEXTURE_MAX_LEVEL, 0),
 )  # fmt: skip
-_UNPACKING = (
-    (GL_UNPACK_ALIGNMENT, 4), (GL_UNPACK_ROW_LENGTH, 0), (GL_UNPACK_SKIP_ROWS, 0),
-    (GL_UNPACK_SKIP_PIXELS, 0),
-)  # fmt: skip
 
 
 def upload(rows: NDArray[np.generic]) -> int:
@@ -60,9 +52,7 @@ def upload(rows: NDArray[np.generic]) -> int:
     name = made(TEXTURE)
     gl.glActiveTexture(GL_TEXTURE0 + _ANY_UNIT)
     gl.glBindTexture(GL_TEXTURE_2D, name)
-    gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
-    for setting in _UNPACKING:
-        gl.glPixelStorei(*setting)
+    unpack_plainly()
     for parameter, value in _PARAMETERS:
         gl.glTexParameteri(GL_TEXTURE_2D, parameter, value)
     gl.glTexImage2D(GL_TEXTURE_2D, 0, inner, width, height, 0, outer, kind, padded.ctypes.data)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from glshim.driver.ask import integer
 from glshim.driver.functions import gl
+from glshim.driver.pixels import pack_plainly, transfer_plainly
 from glshim.model.boxes import Box
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.spec.constants import (
@@ -16,11 +17,6 @@ from glshim.spec.constants import (
     GL_DRAW_FRAMEBUFFER_BINDING,
     GL_FLOAT,
     GL_NO_ERROR,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PIXEL_PACK_BUFFER,
     GL_READ_FRAMEBUFFER,
     GL_RGB,
 )
@@ -40,10 +36,8 @@ def brightness_behind(box: Box) -> float | None:
     with Guard():
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING))
         gl.glReadBuffer(integer(GL_DRAW_BUFFER))
-        gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
-        for name in (GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS):
-            gl.glPixelStorei(name, 0)
-        gl.glPixelStorei(GL_PACK_ALIGNMENT, 1)
+        pack_plainly()
+        transfer_plainly()
         rows = [y + (2 * k + 1) * height // (2 * _ROWS) for k in range(_ROWS)]
         colours = [_row(x, row, width, GL_RGB, 3) for row in rows]
         depths = [_row(x, row, width, GL_DEPTH_COMPONENT, 1) for row in rows]

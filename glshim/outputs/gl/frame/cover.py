@@ -20,7 +20,7 @@ from glshim.outputs.gl.device.programs import Program, shader_text
 from glshim.outputs.gl.frame.flood import Flood
 from glshim.outputs.gl.frame.paint import Paint
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
-from glshim.styling.protocol import Colour
+from glshim.styling.protocol import PAINTED, Colour
 
 
 class _Draw(threading.local):
@@ -59,7 +59,7 @@ class Cover:
         if is_enabled(GL_ALPHA_TEST) and counting():  # what fails the test in its own colours
             return
         # Each step can be undone before it is made, and twice: a signal handler may raise between.
-        if self._surface in ("paint", "colours"):
+        if self._surface in PAINTED:
             if materials is not Materials.STAY:
                 self._draw.flood = Flood(mirrors=materials is Materials.SAID)
                 self._draw.covered = True
@@ -91,7 +91,7 @@ class Cover:
         if self._draw.flood is not None:
             self._draw.flood.end()
             self._draw.flood = None
-        elif self._surface in ("paint", "colours"):
+        elif self._surface in PAINTED:
             self._paint().end()
         elif isinstance(self._surface, str):
             gl.glColorMaski(0, *(int(bool(m)) for m in self._draw.mask))

@@ -16,36 +16,24 @@ from glshim.driver.ask import integer, integers, is_enabled, real
 from glshim.driver.context import has_fixed_function, number_of_any_api, version
 from glshim.driver.functions import gl
 from glshim.driver.objects import delete, made
+from glshim.driver.pixels import BUFFERS, PACKING, TRANSFER
 from glshim.driver.unnoticed import Unnoticed
 from glshim.errors import shown
 from glshim.notices import say
 from glshim.spec.constants import (
     GL_BACK,
-    GL_BLUE_BIAS,
-    GL_BLUE_SCALE,
     GL_COLOR_ATTACHMENT0,
     GL_COLOR_BUFFER_BIT,
     GL_DOUBLEBUFFER,
     GL_DRAW_FRAMEBUFFER,
     GL_DRAW_FRAMEBUFFER_BINDING,
     GL_FRONT,
-    GL_GREEN_BIAS,
-    GL_GREEN_SCALE,
-    GL_MAP_COLOR,
     GL_NEAREST,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_LSB_FIRST,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PACK_SWAP_BYTES,
     GL_PIXEL_PACK_BUFFER,
     GL_PIXEL_PACK_BUFFER_BINDING,
     GL_READ_BUFFER,
     GL_READ_FRAMEBUFFER,
     GL_READ_FRAMEBUFFER_BINDING,
-    GL_RED_BIAS,
-    GL_RED_SCALE,
     GL_RENDERBUFFER,
     GL_RENDERBUFFER_BINDING,
     GL_RGB,
@@ -65,14 +53,6 @@ _FRAMEBUFFERS = (
     (GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING),
 )
 """Targets and bindings."""
-_PACKING = (
-    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_LSB_FIRST, 0), (GL_PACK_ROW_LENGTH, 0),
-    (GL_PACK_SKIP_ROWS, 0), (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 1),
-)  # fmt: skip
-_TRANSFER = (
-    (GL_MAP_COLOR, 0.0), (GL_RED_SCALE, 1.0), (GL_RED_BIAS, 0.0), (GL_GREEN_SCALE, 1.0),
-    (GL_GREEN_BIAS, 0.0), (GL_BLUE_SCALE, 1.0), (GL_BLUE_BIAS, 0.0),
-)  # fmt: skip
 
 
 def grab(
@@ -187,11 +167,11 @@ def _change(undo: ExitStack, function: Callable[..., Any], *new: Any, back_to: A
 
 def _pack_plainly(undo: ExitStack) -> None:
     """Tight pixels as they are, whatever pixel state the app has set."""
-    if number_of_any_api() >= (2, 1):
+    if number_of_any_api() >= BUFFERS:
         bound = integer(GL_PIXEL_PACK_BUFFER_BINDING)
         _change(undo, gl.glBindBuffer, GL_PIXEL_PACK_BUFFER, 0, back_to=bound)
-    for name, value in _PACKING:
+    for name, value in PACKING:
         _change(undo, gl.glPixelStorei, name, value, back_to=integer(name))
     if version() is None or has_fixed_function():
-        for name, plain in _TRANSFER:
+        for name, plain in TRANSFER:
             _change(undo, gl.glPixelTransferf, name, plain, back_to=real(name))

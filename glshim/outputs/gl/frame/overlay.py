@@ -15,30 +15,21 @@ from PIL import Image, ImageDraw, ImageFont
 from glshim.driver.ask import integer, integers
 from glshim.driver.context import shortcoming
 from glshim.driver.functions import gl
+from glshim.driver.pixels import transfer_plainly, unpack_plainly
 from glshim.driver.queries import counting
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.wrapping import wrapped
 from glshim.spec.constants import (
-    GL_ALPHA_BIAS,
-    GL_ALPHA_SCALE,
     GL_BLEND,
-    GL_BLUE_BIAS,
-    GL_BLUE_SCALE,
     GL_COLOR_SUM,
     GL_FOG,
     GL_FRAGMENT_PROGRAM_ARB,
     GL_FRAMEBUFFER,
     GL_FUNC_ADD,
-    GL_GREEN_BIAS,
-    GL_GREEN_SCALE,
-    GL_MAP_COLOR,
     GL_MAX_TEXTURE_UNITS,
     GL_ONE,
     GL_ONE_MINUS_SRC_ALPHA,
-    GL_PIXEL_UNPACK_BUFFER,
-    GL_RED_BIAS,
-    GL_RED_SCALE,
     GL_RGBA,
     GL_SCISSOR_TEST,
     GL_TEXTURE0,
@@ -47,12 +38,6 @@ from glshim.spec.constants import (
     GL_TEXTURE_3D,
     GL_TEXTURE_CUBE_MAP,
     GL_TEXTURE_RECTANGLE,
-    GL_UNPACK_ALIGNMENT,
-    GL_UNPACK_LSB_FIRST,
-    GL_UNPACK_ROW_LENGTH,
-    GL_UNPACK_SKIP_PIXELS,
-    GL_UNPACK_SKIP_ROWS,
-    GL_UNPACK_SWAP_BYTES,
     GL_UNSIGNED_BYTE,
     GL_VIEWPORT,
 )
@@ -61,15 +46,6 @@ MARGIN, PADDING = 8, 7
 """Pixels around the panel, and in it around the text."""
 _SIZE = 13.0
 _PAPER, _INK, _FAINT = (12, 14, 18, 200), (255, 255, 255, 255), (190, 198, 208, 255)
-_UNPACKING = (
-    (GL_UNPACK_SWAP_BYTES, 0), (GL_UNPACK_LSB_FIRST, 0), (GL_UNPACK_ROW_LENGTH, 0),
-    (GL_UNPACK_SKIP_ROWS, 0), (GL_UNPACK_SKIP_PIXELS, 0), (GL_UNPACK_ALIGNMENT, 1),
-)  # fmt: skip
-_TRANSFER = (
-    (GL_MAP_COLOR, 0.0), (GL_RED_SCALE, 1.0), (GL_GREEN_SCALE, 1.0), (GL_BLUE_SCALE, 1.0),
-    (GL_ALPHA_SCALE, 1.0), (GL_RED_BIAS, 0.0), (GL_GREEN_BIAS, 0.0), (GL_BLUE_BIAS, 0.0),
-    (GL_ALPHA_BIAS, 0.0),
-)  # fmt: skip
 _TEXTURES = (
     GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE,
 )  # fmt: skip
@@ -131,8 +107,5 @@ def _plainly() -> None:
     gl.glBlendEquation(GL_FUNC_ADD)
     gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA)
     gl.glPixelZoom(1.0, 1.0)
-    for name, value in _TRANSFER:
-        gl.glPixelTransferf(name, value)
-    gl.glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0)
-    for setting in _UNPACKING:
-        gl.glPixelStorei(*setting)
+    transfer_plainly()
+    unpack_plainly()

@@ -17,6 +17,7 @@ import numpy as np
 
 from glshim.driver.ask import integer
 from glshim.driver.functions import gl
+from glshim.driver.pixels import pack_plainly
 from glshim.geometry.recovery.welding import distinct
 from glshim.linework import intersections
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
@@ -43,12 +44,6 @@ from glshim.spec.constants import (
     GL_FLOAT,
     GL_GREATER,
     GL_LESS,
-    GL_PACK_ALIGNMENT,
-    GL_PACK_ROW_LENGTH,
-    GL_PACK_SKIP_PIXELS,
-    GL_PACK_SKIP_ROWS,
-    GL_PACK_SWAP_BYTES,
-    GL_PIXEL_PACK_BUFFER,
     GL_READ_FRAMEBUFFER,
     GL_READ_FRAMEBUFFER_BINDING,
     GL_RG32UI,
@@ -67,10 +62,6 @@ _MOST_TRIANGLES, _MOST_PIXELS = 1 << 30, 1 << 24
 _FRONT = 1 << 31
 """What the shader adds to the numbers of triangles that face the viewer."""
 _UNIT = 12
-_PACKING = (
-    (GL_PACK_SWAP_BYTES, 0), (GL_PACK_ROW_LENGTH, 0), (GL_PACK_SKIP_ROWS, 0),
-    (GL_PACK_SKIP_PIXELS, 0), (GL_PACK_ALIGNMENT, 4),
-)  # fmt: skip
 
 
 class _Body:
@@ -280,9 +271,7 @@ class Crossings:
                 gl.glDrawArrays(GL_TRIANGLES, 0, 3 * len(chunk.corners))
         gl.glDisableVertexAttribArray(0)
         noted = np.empty((box[2] * box[3], 2), np.uint32)
-        gl.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0)
-        for name, value in _PACKING:
-            gl.glPixelStorei(name, value)
+        pack_plainly()
         gl.glReadPixels(0, 0, *box[2:], GL_RG_INTEGER, GL_UNSIGNED_INT, noted.ctypes.data)
         gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw)
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, read)
