@@ -47,10 +47,9 @@ def styled_scenes() -> Iterator[object]:
 def test_a_style_changes_nothing_but_the_picture(name: str, style: str) -> None:
     restyled = run(SCENES[name], style)
     found = plain(name).differences(restyled, pictures=False)
-    if parse_style(style).gathers_ink and abs(plain(name).depth - restyled.depth).max() < 2.0**-21:
-        # Lines are drawn into a framebuffer of ours, which an earlier window may have made larger:
-        # interpolated depths are a step of the buffer apart then.
-        found.pop("depth", None)
+    if "depth" in found:
+        d=abs(plain(name).depth-restyled.depth)
+        open("/tmp/wt/depths.txt","a").write(f"{name} {style} {(d>0).sum()} {d.max()} {(d>2.0**-22).sum()}\n")
     if style.startswith(("cartoon", "technical", "hiddenline")):  # ours came before
         assert all(min(numbers) > 0 for numbers in found.pop("GL_CURRENT_PROGRAM", ()))
     if style.startswith(("cartoon:textures=off", "hiddenline")) and "clip" in name:

@@ -50,7 +50,4 @@ def test_it_runs_as_plain(program: str, display: str) -> None:
     plain = outcome(program, None, display)
     assert plain[:1] + plain[2:] == (0, 0)
     for style in ("none", *some(PLAIN_PICTURE.get(program, STYLES), 1, PROGRAMS.index(program))):
-        found = outcome(program, style, display)
-        if program == "two_threads" and style != "none" and found != plain:
-            found = outcome(program, style, display)  # known: a first frame in twelve differs
-        assert found == plain, style
+        assert outcome(program, style, display) == plain, style

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterator
+from threading import RLock
 from typing import Any
 
 from glshim.bindings.imports import after_import
@@ -70,6 +71,21 @@ class _Slot:
         return self.hooked[id(maker)][1]
 
 
+class _StandIn:
+    """Of a function pointer of PyOpenGL's that is loading: takes what that puts on the class of the
+    pointer. So another thread that calls it finds it unloaded, or hooked, but nothing between."""
+
+    def __init__(self, pointer: Any) -> None:
+        self._pointer, self._class = pointer, type("Loaded", (), {})
+
+    @property  # type: ignore[misc]
+    def __class__(self) -> type:
+        return self._class
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._pointer, name)
+
+
 class RawLayer:
     """Which hook each GL name carries now. One instance: :data:`RAW`."""
 
@@ -85,6 +101,7 @@ class RawLayer:
         self._sunk: set[tuple[type, int]] = set()
         """What is below already, by class: it outlives an installation."""
         self._over: Matcher = _nothing
+        self._loading = RLock()
 
     @property
     def installed(self) -> bool:
@@ -105,16 +122,23 @@ class RawLayer:
         load = pointer.load
 
         def follow(this: Any) -> Any:
-            loaded = load(this)
-            if loaded is not None:
-                self._adopt(type(this))
+            cls = type(this)
+            with self._loading:
+                if "__call__" in vars(cls):  # meanwhile, in another thread
+                    return vars(cls)["__call__"].__func__
+                stand_in = _StandIn(this)
+                loaded = load(stand_in)
+                call = vars(stand_in.__class__).get("__call__")
+                if loaded is not None and call is not None:
+                    self._adopt(cls, call)
+                    this.resolved = True
             return loaded
 
         pointer.load = follow
         self._undo.append(lambda: setattr(pointer, "load", load))
         for cls in _subclasses(pointer):
             if "__call__" in vars(cls) and cls is not baseplatform._DeprecatedFunctionPointer:
-                self._adopt(cls)
+                self._adopt(cls, vars(cls)["__call__"])
         # Not imported here: at start-up PyOpenGL is in the middle of its own imports.
         after_import("OpenGL.wrapper", lambda module: self._follow_wrappers(module.Wrapper))
         after_import(
@@ -163,17 +187,15 @@ class RawLayer:
         for cls in _subclasses(base):
             self._adopt_wrapper(cls, base.__call__)
 
-    def _adopt(self, cls: type) -> None:
-        call = vars(cls)["__call__"]
-        original = call.__func__ if isinstance(call, staticmethod) else call
-        slot = _Slot(cls, original, static=True)
+    def _adopt(self, cls: type, call: Any) -> None:
+        """A function of GL's, which `call` makes, is loaded."""
+        slot = _Slot(cls, call.__func__ if isinstance(call, staticmethod) else call, static=True)
+        slot.found = call
         for matcher in self._below:
             self._sink(slot, matcher)
         slot.over = self._over(cls.__name__)
         self._raw.setdefault(cls.__name__, []).append(slot)
-        maker = self._raw_maker(cls.__name__)
-        if maker is not None or slot.over is not None:
-            slot.put(maker)
+        slot.put(self._raw_maker(cls.__name__))
 
     def _adopt_wrapper(self, cls: type, original: Call) -> None:
         slot = _Slot(cls, original, static=False)

@@ -243,8 +243,9 @@ def _quick(name: str, make: Maker, bookkeeping: str, count: int) -> Maker:
                 its = getattr(sys.modules.get(_HOME), name, None)
                 if real is None or this is not its or named or len(args) != count:
                     return base(this, *args, **named)  # the long way loads it, or raises
-                own, hook = this, make(real)
                 before = getattr(forward.error_checker(), bookkeeping)
+                hook = make(real)
+                own = this  # last: another thread may come by
             before()
             return hook(*args)
 
