@@ -48,6 +48,8 @@ class Lighting:
     lights: tuple[Light, ...] = ()
     ambient: Shade = (0.2, 0.2, 0.2)
     """GL_LIGHT_MODEL_AMBIENT."""
+    both_sides: bool = False
+    """GL_LIGHT_MODEL_TWO_SIDE: each side is lit by the normal that looks its way."""
 
 
 class Materials(Enum):

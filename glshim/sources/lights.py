@@ -6,7 +6,7 @@ import ctypes
 from collections.abc import Callable
 from functools import partial
 
-from glshim.driver.ask import is_enabled, of_light, reals
+from glshim.driver.ask import integer, is_enabled, of_light, reals
 from glshim.driver.functions import quick
 from glshim.model.lights import Light, Lighting
 from glshim.spec.constants import (
@@ -15,6 +15,7 @@ from glshim.spec.constants import (
     GL_DIFFUSE,
     GL_LIGHT0,
     GL_LIGHT_MODEL_AMBIENT,
+    GL_LIGHT_MODEL_TWO_SIDE,
     GL_LINEAR_ATTENUATION,
     GL_POSITION,
     GL_QUADRATIC_ATTENUATION,
@@ -39,14 +40,16 @@ def lighting() -> Lighting:
     Outside glBegin/glEnd."""
     numbers = [GL_LIGHT0 + k for k in range(_LEAST) if is_enabled(GL_LIGHT0 + k)]
     red, green, blue, _ = reals(GL_LIGHT_MODEL_AMBIENT, 4)
-    return Lighting(tuple(map(_light, numbers)), (red, green, blue))
+    both_sides = bool(integer(GL_LIGHT_MODEL_TWO_SIDE))
+    return Lighting(tuple(map(_light, numbers)), (red, green, blue), both_sides)
 
 
 class LampReader:
     """Tells draws apart by the lights that are on: which, where, and of what colour."""
 
     def __init__(self) -> None:
-        self._on = (ctypes.c_int32 * _LEAST)()
+        self._on = (ctypes.c_int32 * (_LEAST + 1))()
+        """Which are on, and whether both sides are lit."""
         self._values = [(ctypes.c_float * 8)() for _ in range(_LEAST)]
         self._switches: list[Callable[[], None]] = []
         self._lamps: list[list[Callable[[], None]]] = []
@@ -57,7 +60,7 @@ class LampReader:
         for get in self._switches or self._prepare():
             get()
         found = [bytes(self._on)]
-        for on, gets, values in zip(self._on, self._lamps, self._values, strict=True):
+        for on, gets, values in zip(self._on, self._lamps, self._values, strict=False):
             if on:
                 for get in gets:
                     get()
@@ -74,6 +77,8 @@ class LampReader:
                 [partial(of_lights, GL_LIGHT0 + k, name, place)
                  for name, place in zip((GL_POSITION, GL_DIFFUSE), places, strict=True)]
             )  # fmt: skip
+        at = ctypes.c_void_p(ctypes.addressof(self._on) + 4 * _LEAST)
+        self._switches.append(partial(integers, GL_LIGHT_MODEL_TWO_SIDE, at))
         return self._switches
 
 

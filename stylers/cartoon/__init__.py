@@ -104,7 +104,7 @@ class Cartoon(FeatureLines):
         head = (UPPER_LEFT,)
         if self.lights == "app":
             for some in lit:
-                yield from self._shaded(some.bodies, some.lights)
+                yield from self._shaded(some.bodies, some.lights, some.both_sides)
         else:
             yield from self._shaded(all_of(lit), head)
         yield from self._shaded(unlit, head)
@@ -117,7 +117,9 @@ class Cartoon(FeatureLines):
     def share(self, kind: str) -> float:
         return 1.0 if kind in ("contour", "boundary") else self.inner
 
-    def _shaded(self, found: tuple[Body, ...], lights: tuple[Light, ...]) -> Iterable[Pass]:
+    def _shaded(
+        self, found: tuple[Body, ...], lights: tuple[Light, ...], both_sides: bool = True
+    ) -> Iterable[Pass]:
         look: dict[str, Uniform] = {
             "bands": float(self.bands), "exposure": self.exposure, "shadow": self.shadow,
             "shadow_tint": self.shadow_tint, "highlight": self.highlight, "gloss": self.gloss,
@@ -126,5 +128,6 @@ class Cartoon(FeatureLines):
         }  # fmt: skip
         for lens in lenses(found):
             yield from lit_passes(
-                _SHADER, lens, look | lamp_uniforms(lights, lens), self.tolerance
-            )
+                _SHADER, lens, look | lamp_uniforms(lights, lens), self.tolerance,
+                both_sides=both_sides,
+            )  # fmt: skip

@@ -120,7 +120,9 @@ class Technical(FeatureLines):
         for some in groups:
             for lens in lenses(some.bodies):
                 lamps = lamp_uniforms(some.lights[:1] or (UPPER_LEFT,), lens)
-                yield from lit_passes(_SHADER, lens, look | lamps, self.tolerance)
+                yield from lit_passes(
+                    _SHADER, lens, look | lamps, self.tolerance, both_sides=some.both_sides
+                )
         yield from tone_passes("app", self.paper, self.ink, layer)
         yield from self._fine_lines(layer)
         looks = self.looks().items()

@@ -25,8 +25,8 @@ void main() {
     vec3 toward_warm = mix(vec3(1.0, 1.0, 0.0), mix(WARM, own, strong), hue);
     vec3 cool = min(blue * toward_cool + alpha * base, 1.0);
     vec3 warm = min(yellow * toward_warm + beta * base, 1.0);
-    vec3 found = mix(cool, warm, 0.5 + 0.5 * dot(p.n, f.way));
-    float gleam = pow(max(dot(reflect(-f.way, p.n), p.sight), 0.0), gloss);
+    vec3 found = mix(cool, warm, 0.5 + 0.5 * dot(p.lit, f.way));
+    float gleam = pow(max(dot(reflect(-f.way, p.lit), p.sight), 0.0), gloss);
     bool bent = is_bent(p);
     if (!p.own) discard;
     if (bent && p.gleams) found += highlight * gleam;

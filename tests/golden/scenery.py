@@ -393,10 +393,10 @@ SCENES = {
 
 
 def draw(scene):
-    """A frame, with the state that a context begins with."""
+    """A frame, with the state that a context begins with. scene: a function, or its name."""
     glPushAttrib(GL_ALL_ATTRIB_BITS)
     glEnable(GL_DEPTH_TEST)
-    SCENES[scene]()
+    (SCENES[scene] if isinstance(scene, str) else scene)()
     glPopAttrib()
 
 

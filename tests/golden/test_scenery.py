@@ -3,43 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 import pygame
 import pytest
-from numpy.typing import NDArray
-from OpenGL import GL
 
-import glshim
 from glshim.outputs.gl.frame.behind import brightness_behind
-from tests.golden import scenery
+from tests.golden import restyled, scenery
+from tests.golden.restyled import Picture
 from tests.golden.scenery import HEIGHT, WIDTH
-
-Picture = NDArray[np.int_]
 
 
 @pytest.fixture(scope="module", autouse=True)
 def window() -> Iterator[None]:
-    pygame.display.init()
-    pygame.display.set_mode((WIDTH, HEIGHT), pygame.OPENGL | pygame.DOUBLEBUF)
-    yield
-    pygame.display.quit()
+    with restyled.window():
+        yield
 
 
 def shown(scene: str, style: str = "", frames: int = 1) -> Picture:
     """(HEIGHT, WIDTH, 3) of 0..255, the last frame, from below upwards."""
-    if style:
-        glshim.install(style)
-    try:
-        for _ in range(frames - 1):
-            scenery.draw(scene)
-            pygame.display.flip()
-        scenery.draw(scene)
-        pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
-        pygame.display.flip()
-    finally:
-        glshim.uninstall()
-    return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+    return restyled.shown(partial(scenery.draw, scene), style, frames)
 
 
 @pytest.mark.parametrize("style", ["cartoon", "technical", "sketch:hatching=1,tint=0"])

@@ -129,8 +129,13 @@ class Creases:
             out[both, 3] = e_in[:, 1] * e_out[:, 2] - e_in[:, 2] * e_out[:, 1]
         return out
 
-    @cached_property
+    @property
     def normals(self) -> Floats:
+        """(N, 3) of `facing`."""
+        return self.facing[0]
+
+    @cached_property
+    def facing(self) -> tuple[Floats, Floats]:
         """(N, 3) unit normals of topology vertices, on the side from which the triangles wind
         counter-clockwise; zero where there is none.
 
@@ -139,6 +144,9 @@ class Creases:
         silhouettes are zeros of n.c, whose sign must not jump within a surface. At the tip of a
         cone, where what is sent or the triangles point all around, there is none: so n.c is zero
         there, and silhouettes run into it.
+
+        And (N,) 1 where the app's points that way, -1 where it is turned round, 0 where none was
+        sent.
         """
         if self.triangles is self.mesh.triangles:
             around = self.mesh.vertex_normals
@@ -154,14 +162,15 @@ class Creases:
         axes = [np.bincount(corners, weights=axis, minlength=count) for axis in sent.T]
         total: Doubles = np.stack(axes, axis=1).astype(np.float64)
         length = np.sqrt(dot(total, total))
-        chosen = around
+        chosen, way = around, np.zeros(count, np.float32)
         if own is not None:
-            total = np.where((dot(total, around) < 0.0)[:, None], -total, total)
             # Normals that cancel out, but for rounding, say nothing.
-            chosen = np.where((length > _ALIKE)[:, None], unit(total), around)
+            way[length > _ALIKE] = 1.0
+            way[dot(total, around) < 0.0] *= -1.0
+            chosen = np.where(way[:, None] != 0.0, unit(total) * way[:, None], around)
         said = np.bincount(corners, weights=sent.any(axis=1), minlength=count)
         chosen = np.where((length < _POINTED * said)[:, None], 0.0, chosen)
-        return chosen.astype(np.float32)
+        return chosen.astype(np.float32), way
 
     @property
     def nbytes(self) -> int:

@@ -57,17 +57,20 @@ def screen_shader(
 
 
 def lit_passes(
-    shader: MeshShader, lens: tuple[Body, ...], uniforms: Mapping[str, Uniform], tolerance: float
+    shader: MeshShader, lens: tuple[Body, ...], uniforms: Mapping[str, Uniform], tolerance: float,
+    *, both_sides: bool = True,
 ) -> Iterator[Pass]:
     """For bodies that are seen through one lens (`lenses`) the G-buffer, and a shader of
     `screen_shader` over the pixels of their window. tolerance: object units at which corners are
-    one."""
+    one; both_sides: whether normals that look away from the viewer are turned for the light, too.
+    """
     for gleams in (False, True):
         alike = tuple(body for body in lens if body.camera.gleams is gleams)
         if alike:
             yield Pass(
                 alike, _BUFFER, "surface", state=_NEAREST, weld=Weld(tolerance, _CREASES),
-                buffer=True, coat=UNDER, uniforms={"gleams": float(gleams)},
+                buffer=True, coat=UNDER,
+                uniforms={"gleams": float(gleams), "both_sides": float(both_sides)},
             )  # fmt: skip
     yield Pass(lens[:1], shader, "screen", state=_OVER_ALL, uniforms=uniforms, coat=UNDER)
 
@@ -88,6 +91,8 @@ class Lit(NamedTuple):
 
     lights: tuple[Light, ...]
     bodies: tuple[Body, ...]
+    both_sides: bool = True
+    """GL_LIGHT_MODEL_TWO_SIDE; else the app lights the side that a normal looks to."""
 
 
 def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...]]:
@@ -103,8 +108,8 @@ def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...
                 lighting = next(reversed(lit))
             lit.setdefault(lighting, []).append(item)
     found = [
-        Lit(lighting.lights if lighting is not None else (), _by_gleam(layer, items))
-        for lighting, items in lit.items()
+        Lit(one.lights, _by_gleam(layer, items), one.both_sides)
+        for one, items in ((each or Lighting(), items) for each, items in lit.items())
     ]
     if shade_unlit == "off" or (shade_unlit == "auto" and layer.lighting is not None):
         return found, ()

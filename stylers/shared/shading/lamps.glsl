@@ -38,7 +38,7 @@ vec3 incoming(Pixel p) {
     vec3 found = vec3(0.0);
     for (int k = 0; k < lamps; ++k) {
         Falling f = falling(k, p);
-        found += f.share * max(dot(p.n, f.way), 0.0) * lamp_shade[k];
+        found += f.share * max(dot(p.lit, f.way), 0.0) * lamp_shade[k];
     }
     return found;
 }
@@ -51,8 +51,8 @@ vec3 gleaming(Pixel p, float gloss) {
     vec3 found = vec3(0.0);
     for (int k = 0; k < lamps; ++k) {
         Falling f = falling(k, p);
-        float facing = dot(p.n, f.way);
-        float gleam = pow(max(dot(p.n, normalize(f.way + p.sight)), 0.0), gloss);
+        float facing = dot(p.lit, f.way);
+        float gleam = pow(max(dot(p.lit, normalize(f.way + p.sight)), 0.0), gloss);
         if (facing > 0.0) found += f.share * gleam * lamp_gleam[k];
     }
     return found;

@@ -15,6 +15,7 @@ const float CREASED = 0.25;   // change of a normal from one pixel to the next
 
 struct Pixel {
     vec3 n;       // unit normal, eye space, turned to the viewer; zero where no surface is
+    vec3 lit;     // the same, to the side that GL lights
     vec3 spot;    // eye space
     vec3 sight;   // unit vector to the viewer
     vec3 shown;   // the app's colour
@@ -52,8 +53,9 @@ float depth_of(vec3 spot) {
 Pixel this_pixel() {
     vec2 at = gl_FragCoord.xy;
     vec4 here = drawn(at);
-    float size = length(here.xyz);
-    vec3 n = size > 0.0 ? here.xyz / size : vec3(0.0);
+    float size = floor(length(here.xyz) + 0.5);
+    vec3 n = size > 0.0 ? normalize(here.xyz) : vec3(0.0);
+    vec3 lit = size > 2.5 ? -n : n;
     vec3 spot = place(at, away * here.a);
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
     // What the app drew besides its meshes, or over them, stays. Drivers cut a quad that is not
@@ -63,6 +65,6 @@ Pixel this_pixel() {
     float deep = abs(depth_of(spot - pixel * sight) - away * here.a);
     float gap = abs(finished(at) - away * here.a);
     bool own = size > 0.0 && gap <= hair + (0.25 + blur) * steep + BENT * deep;
-    return Pixel(n, spot, sight, texelFetch(app_colour, ivec2(at), 0).rgb, own, size > 1.5,
-                 length(fwidth(n)) > CREASED);
+    return Pixel(n, lit, spot, sight, texelFetch(app_colour, ivec2(at), 0).rgb, own,
+                 mod(size, 2.0) == 0.0, length(fwidth(n)) + length(fwidth(lit)) > 2.0 * CREASED);
 }

@@ -177,11 +177,12 @@ def _creased(device: ModernDevice, mesh: Mesh, found: Creases) -> Resident:
     inside_out = outward(mesh) < 0.0
     positions = _four(mesh.positions[found.vertices])
     positions[:, 3] = found.vertices + 1
-    turned = np.where(inside_out, -1.0, 1.0)[found.vertices]
+    normals = np.column_stack(found.facing)
+    normals *= np.where(inside_out, np.float32(-1.0), np.float32(1.0))[found.vertices, None]
     bits += 64 * inside_out[mesh.triangles[:, 0]]
     return _uploaded(device, mesh, edges, found, {
         "mesh_positions": positions,
-        "mesh_normals": _four(found.normals * turned[:, None]),
+        "mesh_normals": normals,
         "mesh_edges": edges.indices,
         "mesh_triangles": _triangles(found.triangles, mesh.closed + 2 * bits),
         "mesh_creases": found.differences,

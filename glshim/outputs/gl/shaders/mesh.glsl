@@ -5,7 +5,8 @@
 //         as their section 6 foresees. Numpy references: glshim/geometry/meshshaders/edge_mesh.py, poses.py.
 
 uniform sampler2D mesh_positions;   // object space; with creases also the vertex's number, from 1
-uniform sampler2D mesh_normals;     // out of the object, where it has an outside
+uniform sampler2D mesh_normals;     // out of the object, where it has an outside; with creases also
+                                    // 1: as the app sent it, -1: turned round, 0: it sent none
 uniform isampler2D mesh_edges;      // v3 = v0: boundary; v3 = v1: marked; v2 < 0: ~v2, a diagonal
 uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is closed; with
                                     // creases also 2, 4, 8: of sides; 16, 32, 64: open sides;
@@ -77,6 +78,7 @@ vec3 normal(int v) {
 #else
 vec3 position(int v) { return texelFetch(mesh_positions, texel(v), 0).xyz; }
 vec3 normal(int v) { return texelFetch(mesh_normals, texel(v), 0).xyz; }
+vec4 sent_normal(int v) { return texelFetch(mesh_normals, texel(v), 0); }
 #endif
 
 // Where a vertex was when its mesh was first seen, and which way is out (mesh_rest): patterns that
