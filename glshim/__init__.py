@@ -37,6 +37,7 @@ if TYPE_CHECKING:  # the same once more, for those who check types
     from glshim.model.camera import Camera as Camera
     from glshim.model.dihedral import GRAIN as GRAIN
     from glshim.model.dihedral import crease_limits as crease_limits
+    from glshim.model.fog import Fog as Fog
     from glshim.model.lights import Light as Light
     from glshim.model.lights import Lighting as Lighting
     from glshim.pipeline import install as install
@@ -108,6 +109,7 @@ _HOMES = {
     "glshim.model.boxes": "Box overlap without",
     "glshim.model.camera": "Camera",
     "glshim.model.dihedral": "crease_limits GRAIN",
+    "glshim.model.fog": "Fog",
     "glshim.model.lights": "Light Lighting",
     "glshim.pipeline": "install uninstall",
     "glshim.running.restyling": "Restyling style",

@@ -180,7 +180,7 @@ class Pipeline:
         layer = Layer(
             finished.items, light(), finished.over, finished.fresh, time.monotonic(),
             finished.lighting, self._destination.scale, finished.bare, finished.glass,
-            finished.backed,
+            finished.backed, finished.own_background,
         )  # fmt: skip
         try:
             self._put_out(list(self._enlarged.draws(layer)), layer, scene)

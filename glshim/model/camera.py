@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from glshim.model.arrays import Doubles, Matrix
+from glshim.model.fog import Fog
 from glshim.model.lights import Lighting
 
 
@@ -44,6 +45,8 @@ class Camera:
     """GL_TEXTURE_2D was on in the active unit."""
     lighting: Lighting | None = None
     """The lights that were on, of what is lit; with `lit`."""
+    fog: Fog | None = None
+    """GL_FOG, where it was on; of stylers and keys as `lit`."""
 
     def affine(self) -> Camera:
         """An equal camera whose modelview is affine: an app that multiplies its perspective onto

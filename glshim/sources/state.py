@@ -20,6 +20,8 @@ from glshim.driver.ask import integer
 from glshim.driver.context import PROGRAM_SWITCHES, list_is_open, other_programs
 from glshim.driver.functions import gl, quick
 from glshim.model.camera import Camera
+from glshim.sources.fog import FogReader
+from glshim.sources.fog import fog as fog_now
 from glshim.sources.lights import LampReader
 from glshim.sources.lights import lighting as lights_now
 from glshim.spec.constants import (
@@ -34,6 +36,7 @@ from glshim.spec.constants import (
     GL_DRAW_FRAMEBUFFER_BINDING,
     GL_EQUAL,
     GL_FILL,
+    GL_FOG,
     GL_FRONT,
     GL_FRONT_FACE,
     GL_LEQUAL,
@@ -82,6 +85,7 @@ _INTEGERS = (
     ("stencil", GL_STENCIL_REF, 1),
     ("stencil", GL_STENCIL_VALUE_MASK, 1),
     ("lighting", GL_LIGHTING, 1),
+    ("fog", GL_FOG, 1),
     ("textured", GL_TEXTURE_2D, 1),
     ("specular", GL_SPECULAR, 4),  # of the front material: floats
     *(("clip", plane, 1) for plane in range(GL_CLIP_PLANE0, GL_CLIP_PLANE0 + _CLIP_PLANES)),
@@ -133,6 +137,8 @@ class StateReader:
         self._lit_calls: list[Callable[[], None]] = []
         self._lit = ctypes.c_int32()
         self._lamps = LampReader()
+        self._foggy = ctypes.c_int32()
+        self._fog = FogReader()
         self._clips = False
         self._other_programs: tuple[int, ...] | None = None
         """What tells that some are in use; None: as if there were none."""
@@ -175,6 +181,8 @@ class StateReader:
         key = bytes(self._buffer)
         if self._lit.value:
             key += self._lamps.read()
+        if self._foggy.value:
+            key += self._fog.read()
         state = self._known.get(key)
         if state is None:
             if len(self._known) > 4096:
@@ -210,6 +218,8 @@ class StateReader:
                 self._calls.append(call)
             if kind == "lighting":
                 self._lit = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
+            if kind == "fog":
+                self._foggy = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             if kind == "pipeline":
                 self._pipeline = ctypes.c_int32.from_buffer(self._buffer, 4 * offset)
             if kind == "stencil_test":
@@ -231,7 +241,7 @@ class StateReader:
         modelview = np.frombuffer(key, np.float32, 16).astype(np.float64).reshape(4, 4).T
         camera = Camera(
             modelview, c.projection, c.viewport, c.depth_range, c.front_ccw, c.scissor,
-            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured, c.lighting,
+            c.clip_planes, c.stencil, c.lit, c.gleams, c.textured, c.lighting, c.fog,
         )  # fmt: skip
         return DrawState(
             camera, rest.framebuffer, rest.depth_tested, rest.depth_written, rest.flat,
@@ -248,7 +258,7 @@ def _brightest(words: tuple[int, ...]) -> float:
 
 def _is_asked(kind: str, *, clips: bool, lighting: bool) -> bool:
     """Whether a kind of value is in the key."""
-    return {"clip": clips, "lighting": lighting}.get(kind, True)
+    return {"clip": clips, "lighting": lighting, "fog": lighting}.get(kind, True)
 
 
 def _decode_rest(key: bytes, lighting: bool) -> DrawState:
@@ -270,6 +280,7 @@ def _decode_rest(key: bytes, lighting: bool) -> DrawState:
         stencil=values["stencil"] if values["stencil_test"][0] else None,  # type: ignore[arg-type]
         lit=bool(values["lighting"][0]),
         lighting=lights_now() if lighting and values["lighting"][0] else None,
+        fog=fog_now() if values["fog"][0] else None,
         textured=bool(values["textured"][0]),
         gleams=bool(values["lighting"][0]) and _brightest(values["specular"]) > _DULL,
     )

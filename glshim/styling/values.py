@@ -70,6 +70,8 @@ class Layer:
     """The background of its views (of a layer over others: of `bare`) was laid in the style's own
     colour before the program drew on it (`glshim.styling.protocol.Styler.background`): what differs
     from that is drawn, with depth or without."""
+    own_background: Colour = (0.0, 0.0, 0.0)
+    """The program's own, where it is `backed`: the colour that it clears to."""
 
     @cached_property
     def glass_bodies(self) -> tuple[Body, ...]:

@@ -57,5 +57,5 @@ void main() {
     if (!p.gleams) shine = 0.0;
     if (bent) found += highlight * shine + rim * outer * level * (1.0 - shine);
     found = mix(vec3(dot(found, LUMA)), found, saturation);
-    colour = vec4(clamp(found, 0.0, 1.0), 1.0);
+    colour = vec4(in_fog(clamp(found, 0.0, 1.0), p.clear), 1.0);
 }

@@ -41,5 +41,5 @@ void main() {
     }
     if (!p.own) discard;
     float shade = AMBIENT + (1.0 - AMBIENT) * bright;
-    colour = vec4(min(base * shade + shine * gleam, 1.0), 1.0);
+    colour = vec4(in_fog(min(base * shade + shine * gleam, 1.0), p.clear), 1.0);
 }

@@ -30,6 +30,7 @@ from ..shared.shading import (
     lamp_uniforms,
     lenses,
     lit_passes,
+    paper_of,
     screen_shader,
 )
 from ..shared.strokes import inked, only
@@ -121,8 +122,9 @@ class Technical(FeatureLines):
             for lens in lenses(some.bodies):
                 lamps = lamp_uniforms(some.lights[:1] or (UPPER_LEFT,), lens)
                 yield from lit_passes(
-                    _SHADER, lens, look | lamps, self.tolerance, both_sides=some.both_sides
-                )
+                    _SHADER, lens, look | lamps, self.tolerance, both_sides=some.both_sides,
+                    paper=paper_of(layer, self.paper),
+                )  # fmt: skip
         yield from tone_passes("app", self.paper, self.ink, layer)
         yield from self._fine_lines(layer)
         looks = self.looks().items()

@@ -30,5 +30,5 @@ void main() {
     bool bent = is_bent(p);
     if (!p.own) discard;
     if (bent && p.gleams) found += highlight * gleam;
-    colour = vec4(min(found, 1.0), 1.0);
+    colour = vec4(in_fog(min(found, 1.0), p.clear), 1.0);
 }

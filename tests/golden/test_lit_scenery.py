@@ -37,3 +37,24 @@ def test_what_looks_away_from_the_lamps_is_dark(style: str) -> None:
 def test_where_both_sides_are_lit_so_are_they(style: str) -> None:
     found = shown(lit_scenery.sheets_of_two_sides, style)
     assert np.abs(found[LEFT] - found[RIGHT]).max() <= 1
+
+
+@pytest.mark.parametrize("mode", lit_scenery.FOGS)
+@pytest.mark.parametrize("style", ["cartoon", "technical", "fins:fill=cel"])
+def test_fog_lies_over_light(mode: str, style: str) -> None:
+    """As much of each surface is seen as in plain; on paper, the sky's fog is paper."""
+    pictures = {
+        (fog, how): shown(partial(lit_scenery.in_fog, fog), how).astype(float)
+        for fog in (mode, None)
+        for how in ("", style)
+    }
+    mist = 255 * np.array(lit_scenery.MIST)
+    seen, paint = pictures[mode, ""] - mist, pictures[None, ""] - mist
+    share = ((seen * paint).sum(axis=2) / np.maximum((paint * paint).sum(axis=2), 1.0))[..., None]
+    behind = np.full(3, 255.0) if style == "technical" else mist
+    wanted = share * pictures[None, style] + (1.0 - share) * behind
+    ground = np.s_[5:225, 250:395]
+    off = np.abs(pictures[mode, style] - wanted)[ground].max(axis=2)
+    assert share[ground].min() < 0.05
+    assert share[ground].max() > 0.3
+    assert (off > 5).mean() < 0.01

@@ -14,7 +14,7 @@ from glshim.model.batch import POSITIONS, Item, PolygonBatch, Wanted
 from glshim.model.boxes import Box, Unbacked, covers, overlap
 from glshim.model.caches import AgingCache
 from glshim.model.camera import Camera
-from glshim.model.lights import Lighting
+from glshim.model.lights import Lighting, Shade
 from glshim.sources.fixed.immediate import assemble_many
 from glshim.sources.following import census
 from glshim.sources.following.backing import Backing
@@ -91,6 +91,8 @@ class FinishedLayer:
     """The style's background was laid before all that is drawn there."""
     glass: tuple[Item, ...] = ()
     """Solids that were blended over it, without depth."""
+    own_background: Shade = (0.0, 0.0, 0.0)
+    """The program's, where the style's was laid."""
 
 
 class LayerCollector:
@@ -288,6 +290,7 @@ class LayerCollector:
             with_corners, over, tuple(free) if over else (),
             not self._depths.touches(at, views), self.lighting,
             not self.backing.missing(at, free), self._all_glass(),
+            self.backing.own,
         )  # fmt: skip
         self.backing.used = True
         self._pictures.add(at, views)

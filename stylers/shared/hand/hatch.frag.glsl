@@ -1,6 +1,6 @@
 // What:   hatching that is held by the surface: planes through the object, as far apart as suits the
 //         screen, drawn where the light leaves it dark; crossed where it is darker still.
-// Inputs: seen_normal.glsl; the surface's place and normal (hatch.vert.glsl), the lamps, the app's
+// Inputs: seen_normal.glsl, fog.glsl; the surface's place and normal (hatch.vert.glsl), the lamps, the app's
 //         finished picture.
 // Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it is:
 //         G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994;
@@ -83,7 +83,7 @@ void main() {
     float light = lit(n);
     vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;
     float picture = dot(shown, vec3(0.299, 0.587, 0.114));
-    float dark = 1.2 * darkness * (1.0 - mix(light * light, picture, by_picture));
+    float dark = 1.2 * darkness * (1.0 - mix(light * light, picture, by_picture)) * clear_share(spot);
 
     // The families are askew to all axes, so that no face of a box lies along one.
     float cover = strokes(normalize(vec3(0.62, 0.71, 0.34)), smoothstep(0.08, 0.8, dark), 0.0, n, sight);

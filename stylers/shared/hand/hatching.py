@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
+from itertools import groupby
 from math import floor, isfinite, radians
 
 from glshim.geometry.crease.creases import Criterion
@@ -13,7 +14,7 @@ from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.values import Colour, Layer, Uniform
 
-from ..shading import SEEN_NORMAL, Lit, by_light, lamp_uniforms
+from ..shading import FOG, SEEN_NORMAL, Lit, by_light, fog_uniforms, lamp_uniforms
 from ..tones import grain
 
 ON = -1
@@ -52,7 +53,8 @@ class Hatching:
 @cache
 def _shader() -> MeshShader:
     vertex, fragment = (glsl(__file__, f"hatch.{stage}") for stage in ("vert", "frag"))
-    return MeshShader("hatch", vertex, SEEN_NORMAL + fragment, needs=("app_colour", "rest"))
+    text = SEEN_NORMAL + FOG + fragment
+    return MeshShader("hatch", vertex, text, needs=("app_colour", "rest"))
 
 
 def hatched(look: Hatching, layer: Layer) -> Iterator[Pass]:
@@ -81,10 +83,13 @@ def _hatched(look: Hatching, layer: Layer, some: Lit) -> Iterator[Pass]:
         "soft": look.soft, "coloured": look.coloured,
         "jitter_seed": float(floor(layer.time * look.boil) % 61),
     }  # fmt: skip
-    yield Pass(
-        some.bodies, _shader(), "surface", state=_STATE, uniforms=uniforms, image=grain(),
-        weld=Weld(look.tolerance, CREASES), coat=ON,
-    )  # fmt: skip
+    for _, bodies in groupby(some.bodies, lambda body: body.camera.fog):
+        seen = tuple(bodies)
+        yield Pass(
+            seen, _shader(), "surface", state=_STATE, image=grain(),
+            uniforms={**uniforms, **fog_uniforms(seen[0].camera)},
+            weld=Weld(look.tolerance, CREASES), coat=ON,
+        )  # fmt: skip
 
 
 def _placed(light: Light) -> Light:

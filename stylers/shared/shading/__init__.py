@@ -16,11 +16,12 @@ import numpy as np
 from glshim.geometry.crease.creases import Criterion
 from glshim.model.batch import PolygonBatch
 from glshim.model.camera import Camera
+from glshim.model.fog import Fog
 from glshim.model.lights import Light, Lighting
 from glshim.styling.glsl import glsl
 from glshim.styling.passes import MeshShader, Pass, State, Weld
 from glshim.styling.screen import SCREEN
-from glshim.styling.values import Body, Layer, Uniform
+from glshim.styling.values import Body, Colour, Layer, Uniform
 
 UNDER = -1
 """The coat: lines go over it."""
@@ -30,6 +31,8 @@ MOST_LIGHTINGS = 8
 _CREASES = Criterion("either", radians(50.0), radians(1.0))
 """Light breaks where the app's normals do, or where triangles meet at an angle: a cube that came
 without normals is not round."""
+_ALIKE = 0.1
+"""Of a channel: fog is meant to be the background that looks like that."""
 _NEAREST = State(depth="less", writes_depth=True, blend="off")
 _OVER_ALL = State(depth="always", blend="off")
 NEAR_ENOUGH = 16.0
@@ -41,6 +44,8 @@ UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
 
 SEEN_NORMAL = glsl(__file__, "seen_normal")
 """GLSL of a fragment: the normal by which it is lit."""
+FOG = glsl(__file__, "fog")
+"""GLSL of the app's fog; its uniforms are `fog_uniforms`."""
 _BUFFER = MeshShader(
     "surface buffer", glsl(__file__, "buffer.vert"), SEEN_NORMAL + glsl(__file__, "buffer.frag"),
     needs=(),
@@ -52,18 +57,18 @@ def screen_shader(
 ) -> MeshShader:
     """A shader that lights each pixel: a fragment text that follows ``pixel.glsl`` and, with lamps,
     ``lamps.glsl``. bent: pixels by which quads that are not flat may miss their triangles."""
-    given = f"#define BENT {bent}\n" + glsl(__file__, "pixel", *(("lamps",) if lamps else ()))
+    given = f"#define BENT {bent}\n" + FOG + glsl(__file__, "pixel", *(("lamps",) if lamps else ()))
     return MeshShader(name, SCREEN, given + fragment, needs=("app_colour", "gbuffer"))
 
 
 def lit_passes(
     shader: MeshShader, lens: tuple[Body, ...], uniforms: Mapping[str, Uniform], tolerance: float,
-    *, both_sides: bool = True,
+    *, both_sides: bool = True, paper: Paper | None = None,
 ) -> Iterator[Pass]:
     """For bodies that are seen through one lens (`lenses`) the G-buffer, and a shader of
     `screen_shader` over the pixels of their window. tolerance: object units at which corners are
-    one; both_sides: whether normals that look away from the viewer are turned for the light, too.
-    """
+    one; both_sides: whether normals that look away from the viewer are turned for the light, too;
+    paper: what replaces the app's background, of which fog may be."""
     for gleams in (False, True):
         alike = tuple(body for body in lens if body.camera.gleams is gleams)
         if alike:
@@ -72,18 +77,50 @@ def lit_passes(
                 buffer=True, coat=UNDER,
                 uniforms={"gleams": float(gleams), "both_sides": float(both_sides)},
             )  # fmt: skip
+    uniforms = {**uniforms, **fog_uniforms(lens[0].camera, paper)}
     yield Pass(lens[:1], shader, "screen", state=_OVER_ALL, uniforms=uniforms, coat=UNDER)
 
 
+def fog_uniforms(camera: Camera, paper: Paper | None = None) -> dict[str, Uniform]:
+    """Fog as ``fog.glsl`` has it. paper: what replaces the app's background."""
+    fog = camera.fog if camera.affine() is camera else None
+    if fog is None:
+        nothing = (0.0, 0.0, 0.0)
+        return {"fog": 0, "fog_terms": nothing, "fog_colour": nothing, "fog_seen": nothing}
+    seen = fog.colour
+    if paper is not None and np.abs(np.subtract(seen, paper.over)).max() < _ALIKE:
+        seen = paper.colour
+    return {
+        "fog": int(fog.mode), "fog_terms": (fog.density, fog.start, fog.end),
+        "fog_colour": fog.colour, "fog_seen": seen,
+    }  # fmt: skip
+
+
 def lenses(found: tuple[Body, ...]) -> list[tuple[Body, ...]]:
-    """Bodies by all of their cameras but the modelview: of their places on the screen one lens
-    gives back places in eye space."""
+    """Bodies by all of their cameras but the modelview, and by fog: of their places on the screen
+    one lens gives back places in eye space."""
     alike: dict[object, list[Body]] = {}
     for body in found:
         camera = body.camera.affine()
-        key = camera.projection.tobytes(), camera.viewport, camera.depth_range, camera.scissor
+        fog = camera.fog if camera is body.camera else None  # else nothing is known of eye space
+        key = camera.projection.tobytes(), camera.viewport, camera.depth_range, camera.scissor, fog
         alike.setdefault(key, []).append(body)
     return [tuple(some) for some in alike.values()]
+
+
+class Paper(NamedTuple):
+    """What replaces the app's background."""
+
+    colour: Colour
+    over: Colour
+    """The app's own."""
+
+
+def paper_of(layer: Layer, colour: str | Colour) -> Paper | None:
+    """Of an option ``paper`` where it lies behind a layer; None: the background is the app's."""
+    if isinstance(colour, str) or not layer.backed:
+        return None
+    return Paper(colour, layer.own_background)
 
 
 class Lit(NamedTuple):
@@ -97,9 +134,9 @@ class Lit(NamedTuple):
 
 def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...]]:
     """The bodies that the app lit, by the lights that shone when they were drawn, and those of the
-    others that are shaded, each parted by whether they gleam. shade_unlit: ``head``, ``off``, or
-    ``auto``: where the app lit nothing, what has no textures; a wall with a light map has its light
-    in them."""
+    others that are shaded, each parted by whether they gleam, and by fog. shade_unlit: ``head``,
+    ``off``, or ``auto``: where the app lit nothing, what has no textures; a wall with a light map
+    has its light in them."""
     lit: dict[Lighting | None, list[tuple[PolygonBatch, Camera]]] = {}
     for item in layer.items:
         if item[1].lit:
@@ -108,14 +145,14 @@ def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...
                 lighting = next(reversed(lit))
             lit.setdefault(lighting, []).append(item)
     found = [
-        Lit(one.lights, _by_gleam(layer, items), one.both_sides)
+        Lit(one.lights, _alike(layer, items), one.both_sides)
         for one, items in ((each or Lighting(), items) for each, items in lit.items())
     ]
     if shade_unlit == "off" or (shade_unlit == "auto" and layer.lighting is not None):
         return found, ()
     plain = shade_unlit != "auto"
     unlit = [item for item in layer.items if not item[1].lit and (plain or not item[1].textured)]
-    return found, _by_gleam(layer, unlit)
+    return found, _alike(layer, unlit)
 
 
 def all_of(lit: Iterable[Lit]) -> tuple[Body, ...]:
@@ -123,12 +160,12 @@ def all_of(lit: Iterable[Lit]) -> tuple[Body, ...]:
     return tuple(body for some in lit for body in some.bodies)
 
 
-def _by_gleam(layer: Layer, items: Sequence[tuple[PolygonBatch, Camera]]) -> tuple[Body, ...]:
-    found: tuple[Body, ...] = ()
-    for gleams in (False, True):
-        some = tuple(item for item in items if item[1].gleams is gleams)
-        found += replace(layer, items=some).bodies
-    return found
+def _alike(layer: Layer, items: Sequence[tuple[PolygonBatch, Camera]]) -> tuple[Body, ...]:
+    parts: dict[tuple[bool, Fog | None], list[tuple[PolygonBatch, Camera]]] = {}
+    for item in items:
+        parts.setdefault((item[1].gleams, item[1].fog), []).append(item)
+    order = sorted(parts, key=lambda part: part[0])
+    return tuple(body for part in order for body in replace(layer, items=tuple(parts[part])).bodies)
 
 
 def lamp_uniforms(lights: tuple[Light, ...], lens: tuple[Body, ...]) -> dict[str, Uniform]:

@@ -1,5 +1,5 @@
 // What:   what light on a pixel needs: its surface's place and normal, and whether it is seen there.
-// Inputs: the G-buffer, the app's finished picture and depth (depth.glsl), the camera.
+// Inputs: fog.glsl, the G-buffer, the app's finished picture and depth (depth.glsl), the camera.
 // Source: P. Rideout, "Silhouette Extraction", 2010 (per-pixel lighting from the G-buffer).
 
 uniform sampler2D gbuffer;
@@ -18,7 +18,8 @@ struct Pixel {
     vec3 lit;     // the same, to the side that GL lights
     vec3 spot;    // eye space
     vec3 sight;   // unit vector to the viewer
-    vec3 shown;   // the app's colour
+    vec3 shown;   // the app's colour, without its fog
+    float clear;  // share of that which is seen through the fog
     bool own;     // the surface of the G-buffer is what the app shows
     bool gleams;  // the app's material does
     bool crisp;   // a crease, or another surface, lies within a pixel
@@ -65,6 +66,8 @@ Pixel this_pixel() {
     float deep = abs(depth_of(spot - pixel * sight) - away * here.a);
     float gap = abs(finished(at) - away * here.a);
     bool own = size > 0.0 && gap <= hair + (0.25 + blur) * steep + BENT * deep;
-    return Pixel(n, lit, spot, sight, texelFetch(app_colour, ivec2(at), 0).rgb, own,
+    float clear = clear_share(spot);
+    vec3 shown = without_fog(texelFetch(app_colour, ivec2(at), 0).rgb, clear);
+    return Pixel(n, lit, spot, sight, shown, clear, own,
                  mod(size, 2.0) == 0.0, length(fwidth(n)) + length(fwidth(lit)) > 2.0 * CREASED);
 }
