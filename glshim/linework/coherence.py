@@ -9,20 +9,19 @@ before.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from glshim.geometry.window import window
+from glshim.linework.pairing import NamedObjects, paired
+from glshim.linework.phases import Chain
 from glshim.linework.walk import Walk
-from glshim.model.arrays import Complexes, Doubles, Rows, within
+from glshim.model.arrays import Complexes, Doubles, Flags, Rows, within
 from glshim.model.camera import Camera
 from glshim.model.vectors import dot, unit
-
-NamedObjects = tuple[tuple[Hashable, Doubles], ...]
-"""Name and modelview (4, 4) of each object."""
 
 _REACH = 12.0
 """Pixels in which a stroke finds what it was."""
@@ -30,13 +29,16 @@ _STEP = 6.0
 """Pixels of a stroke for one sample."""
 _MOST_SAMPLES = 64
 """Samples of one line."""
+_STRANGE = 3.0
+"""Pixels by which what is not quite alike counts as farther away."""
+_OTHER = 0.5
+"""The same of another edge."""
 _CROWD = 24
 """Old samples in a cell that are looked at."""
-_STIFFNESS = 12.0**2
-"""Square of the pixels over which a pattern gives way to what was there."""
-_ROUNDS = 60
-_MOST_ALIKE = 200
-"""NamedObjects of one name that are told apart by where they are; of more, by their order."""
+_OCTAVE = 1.7
+"""How much too long or too short a pattern may become on the screen; more than the root of two."""
+_MOST_STRETCHED = 2.0
+"""How much so it stays anywhere along a stroke."""
 _MOST_PASTS = 4
 """Pasts of a view."""
 _DEPTH = 0.3
@@ -49,16 +51,18 @@ class Past:
 
     points: Doubles
     """(N, 3) eye space, of the frame's camera."""
-    along: Complexes
-    """(N,) unit direction in the window."""
+    tips: Doubles
+    """(N, 3) about a pixel farther along their lines."""
     phase: Doubles
     """(N,) repeats of the pattern, modulo one."""
-    pace: Doubles
-    """(N,) repeats a pixel."""
+    gain: Doubles
+    """(N,) repeats from there to the tip."""
     group: Rows
     """(N,) of the lines."""
     owner: Rows
     """(N,) object, by number."""
+    edge: Doubles
+    """(N,) number of its own that an edge keeps (`Line.NUMBER`)."""
     modelviews: tuple[Doubles, ...]
     """(4, 4) of each object."""
     names: tuple[Hashable, ...]
@@ -67,7 +71,7 @@ class Past:
     @property
     def nbytes(self) -> int:
         """Memory, for caches."""
-        return 96 * len(self.points) + 128 * len(self.names)
+        return 128 * len(self.points) + 128 * len(self.names)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,6 +87,8 @@ class Drawn:
     """(L,) of the lines."""
     owner: Rows
     """(L,) object of each, by number."""
+    edge: Doubles
+    """(L,) number of its own that an edge keeps (`Line.NUMBER`)."""
     objects: NamedObjects
 
 
@@ -94,11 +100,12 @@ def keep(drawn: Drawn, camera: Camera) -> Past:
     size = np.maximum(np.abs(walk.places[1] - walk.places[0]), 1e-9)
     return Past(
         new.points,
-        new.along,
+        new.tips,
         np.mod(walk.begin[line] + share * spread[line], 1.0),
-        spread[line] / size[line],
+        spread[line] / size[line] * new.reach,
         new.group,
-        drawn.owner[line],
+        new.owner,
+        new.edge,
         tuple(modelview for _, modelview in drawn.objects),
         tuple(name for name, _ in drawn.objects),
     )
@@ -108,114 +115,83 @@ def follow(drawn: Drawn, camera: Camera, past: Past) -> Walk:
     """The same strokes, as far along their pattern as what was drawn where they are now.
 
     Along each stroke the pattern is shifted by c, which minimises the sum of ``w |z - z'|^2`` and
-    ``s |dz/dt|^2`` for ``z = exp(2 pi i c)``, with z' the shift to the nearest old sample: nearby
-    the pattern stays where it was, over longer distances it has its own length.
+    ``s |dz/dt - g z|^2`` for ``z = exp(2 pi i c)``, with z' the shift to the nearest old sample and
+    g how that is known to grow: the pattern stays where it was, and gives way where old strokes
+    that had nothing to do with each other are one now. Where it has become too long or too short
+    on the screen, two repeats take the place of one, or one that of two (P. Bénard et al.,
+    "Self-Similar Texture for Coherent Line Stylization", NPAR 2010: octaves).
     """
     walk = drawn.walk
     line, share, new = _sampled(drawn, camera)
-    points, old = _now(past, drawn.objects, camera)
-    if not len(line) or not len(old):
+    old = _now(past, drawn.objects, camera)
+    if not len(line) or not len(old.places):
         return walk
-    size = np.abs(walk.places[1] - walk.places[0])[line]
-    before = _Samples(points, old, past.along, past.group)
-    found = _nearest(new, before, camera)
+    size = np.abs(walk.places[1] - walk.places[0])
+    found = _nearest(new, old, camera)
     met = np.flatnonzero(found >= 0)
     if not len(met):
         return walk
-    weight = np.maximum(size / np.bincount(line)[line], _STEP)[met]
+    with np.errstate(all="ignore"):
+        pace = past.gain / old.reach
+    alike = (new.along[met] * old.along[found[met]].conj()).real * pace[found[met]]
+    walk, kept = _turned(walk, line[met], alike)
+    met = met[kept]
+    weight = np.maximum(size[line] / np.bincount(line)[line], _STEP)[met]
     line, share, found = line[met], share[met], found[met]
-    here = walk.begin[line] + share * (walk.finish - walk.begin)[line]
-    ahead = ((new.places[met] - old[found]) * past.along[found].conj()).real
-    apart = np.exp(2j * np.pi * (past.phase[found] + past.pace[found] * ahead - here))
+    spread = walk.finish - walk.begin
+    own = spread / np.maximum(size, 1e-9)
+    pace = np.abs(pace[found]) * np.sign(own[line])
+    ahead = ((new.places[met] - old.places[found]) * new.along[met].conj()).real
+    then = past.phase[found] + pace * ahead
+    here = walk.begin[line] + share * spread[line]
 
-    chain = _Chain(walk)
-    shift = chain.fitted(line, share, weight, apart)
-    return Walk(
-        walk.begin + shift[0], walk.finish + shift[1], walk.stroke, walk.loop, walk.places
+    octave = _octaves(walk, line, pace / own[line])
+    doubled, halved = octave[line] > 0, octave[line] < 0
+    then, pace = np.where(doubled, 2.0 * then, then), pace * np.exp2(octave[line])
+    # Which half of a pattern twice as long is not known: shifts are told modulo a half there.
+    here = np.where(halved, 2.0 * here, here)
+    twice = np.where(octave < 0, 2.0, 1.0)
+    chain = Chain(walk)
+    rate = np.clip(pace / own[line], 1.0 / _MOST_STRETCHED, _MOST_STRETCHED) - 1.0
+    gain = chain.nearby(line, share, rate) * np.abs(spread) * twice
+    shift = chain.fitted(line, share, weight, then - here, gain)
+    return replace(
+        walk, begin=walk.begin + shift[0] / twice, finish=walk.finish + shift[1] / twice
     )
 
 
-class _Chain:
-    """The ends of lines as nodes of their strokes: what ends where another begins is one node."""
-
-    def __init__(self, walk: Walk) -> None:
-        on = np.flatnonzero(walk.stroke >= 0)
-        low = np.minimum(walk.begin, walk.finish)[on]
-        order = on[np.lexsort((low, walk.stroke[on]))]
-        stroke = walk.stroke[order]
-        first = np.flatnonzero(np.append(True, stroke[1:] != stroke[:-1]))
-        last = np.append(first[1:], len(order)) - 1
-        ends = np.arange(1, len(order) + 1)
-        loops = walk.loop[order[first]] > 0.0
-        ends[last] = np.where(loops, first, len(order) + np.arange(len(first)))
-        self.count = len(order) + len(first)
-        self._order, self._stroke_starts, self._loops = order, first, loops
-        self._from, self._to = np.arange(len(order)), ends
-        self._row = np.full(len(walk.stroke), -1, np.intp)
-        self._row[order] = self._from
-        size = np.abs(walk.places[1] - walk.places[0])[order]
-        self._spring = _STIFFNESS / np.maximum(np.where(np.isfinite(size), size, 1.0), 0.5)
-        self._forward = (walk.begin <= walk.finish)[order]
-
-    def fitted(
-        self, line: Rows, share: Doubles, weight: Doubles, wanted: Complexes
-    ) -> tuple[Doubles, Doubles]:
-        """(L,), (L,) the shift at both ends of all lines, from the wanted shifts of samples, as
-        complex numbers of size one."""
-        row = self._row[line]
-        along = np.where(self._forward[row], share, 1.0 - share)
-        low, high = self._from[row], self._to[row]
-
-        def gathered(values: Complexes) -> Complexes:
-            """To the nodes: of samples, by how near they are."""
-            parts = ((values.real, values.imag) for _ in (0, 1))
-            out = np.zeros(self.count, complex)
-            for nodes, near, (x, y) in zip((low, high), (1.0 - along, along), parts, strict=True):
-                out += np.bincount(nodes, near * x, self.count)
-                out += 1j * np.bincount(nodes, near * y, self.count)
-            return out
-
-        def applied(z: Complexes) -> Complexes:
-            pull = self._spring * (z[self._to] - z[self._from])
-            out = gathered(weight * ((1.0 - along) * z[low] + along * z[high])) + 1e-9 * z
-            for nodes, sign in ((self._from, -1.0), (self._to, 1.0)):
-                out += sign * np.bincount(nodes, pull.real, self.count)
-                out += sign * 1j * np.bincount(nodes, pull.imag, self.count)
-            return out
-
-        z = _solved(applied, gathered(weight * wanted))
-        turn = np.angle(z) / (2.0 * np.pi)
-        # Unwrapped along each stroke from its first node.
-        jump = turn[self._to] - turn[self._from]
-        jump -= np.rint(jump)
-        total = np.cumsum(jump)
-        before = total - jump
-        base = turn[self._from[self._stroke_starts]] - before[self._stroke_starts]
-        counts = np.diff(self._stroke_starts, append=len(self._order))
-        before += np.repeat(base, counts)
-        after = before + jump
-        shifts = np.zeros((2, len(self._row)))
-        shifts[0, self._order] = np.where(self._forward, before, after)
-        shifts[1, self._order] = np.where(self._forward, after, before)
-        return shifts[0], shifts[1]
+def _octaves(walk: Walk, line: Rows, stretched: Doubles) -> Rows:
+    """(L,) 1 for lines of strokes whose pattern has become twice too long and is to be halved, -1
+    where two repeats become one. Of samples on lines (N,): how many repeats there are for one."""
+    found = np.zeros(len(walk.stroke), np.intp)
+    stroke = walk.stroke[line]
+    order = np.lexsort((stretched, stroke))
+    firsts = np.flatnonzero(np.append(True, np.diff(stroke[order]) > 0))
+    counts = np.diff(firsts, append=len(order))
+    middle = stretched[order[firsts + counts // 2]]
+    loop = walk.loop[line[order[firsts]]] > 0.0
+    # Loops have whole repeats of their own, and the ends of half as many may not meet.
+    most = np.where(loop, _OCTAVE**2, _OCTAVE)
+    by_stroke = np.zeros(int(walk.stroke.max(initial=-1)) + 1, np.intp)
+    by_stroke[stroke[order[firsts]]] = np.select(
+        [middle < 1.0 / most, ~loop & (middle > most)], [1, -1], 0
+    )
+    on = walk.stroke >= 0
+    found[on] = by_stroke[walk.stroke[on]]
+    return found
 
 
-def _solved(applied: Callable[[Complexes], Complexes], right: Complexes) -> Complexes:
-    """Conjugate gradients, as far as a phase needs."""
-    z = np.zeros_like(right)
-    rest = right.copy()
-    way, size = rest.copy(), float(np.vdot(rest, rest).real)
-    goal = 1e-6 * size
-    for _ in range(_ROUNDS):
-        if size <= goal:
-            break
-        moved = applied(way)
-        pace = size / max(float(np.vdot(way, moved).real), 1e-300)
-        z += pace * way
-        rest -= pace * moved
-        size, before = float(np.vdot(rest, rest).real), size
-        way = rest + size / max(before, 1e-300) * way
-    return z
+def _turned(walk: Walk, line: Rows, alike: Doubles) -> tuple[Walk, Flags]:
+    """Strokes the way that they ran before: which way a crease runs is decided by the first of its
+    lines. And (N,) which samples then run as theirs did. line: (N,) of each; alike: (N,) above 0
+    where what was there ran from the line's a to its b."""
+    forth = np.where((walk.begin <= walk.finish)[line], alike, -alike) > 0.0
+    stroke = walk.stroke[line]
+    votes = np.bincount(stroke, np.where(forth, 1.0, -1.0), int(walk.stroke.max()) + 1)
+    back: Flags = votes < 0.0
+    turned = back[walk.stroke] & (walk.stroke >= 0)
+    begin, finish = (np.where(turned, -end, end) for end in (walk.begin, walk.finish))
+    return replace(walk, begin=begin, finish=finish), forth != back[stroke]
 
 
 def _sampled(drawn: Drawn, camera: Camera) -> tuple[Rows, Doubles, _Samples]:
@@ -226,15 +202,25 @@ def _sampled(drawn: Drawn, camera: Camera) -> tuple[Rows, Doubles, _Samples]:
     begin, step = drawn.a[line], (drawn.b - drawn.a)[line]
     points = begin + share[:, None] * step
     with np.errstate(all="ignore"):
-        found = window(points, camera)
-        places = found[:, 0] + 1j * found[:, 1]
         z0, z1 = drawn.walk.places
         way = (z1 - z0)[line]
+        tips = points + step * np.minimum(1.0 / np.abs(way), 1.0)[:, None]
+        places = _places(points, camera)
         share = ((places - z0[line]) * way.conj()).real / np.abs(way) ** 2
+        reach = _places(tips, camera) - places
         good = np.flatnonzero((share >= 0.0) & (share <= 1.0))  # not what clip planes cut off
     line, way = line[good], way[good]
-    samples = _Samples(points[good], places[good], way / np.abs(way), drawn.group[line])
+    samples = _Samples(
+        points[good], tips[good], places[good], way / np.abs(way), np.abs(reach[good]),
+        drawn.group[line], drawn.owner[line], drawn.edge[line],
+    )  # fmt: skip
     return line, share[good], samples
+
+
+def _places(points: Doubles, camera: Camera) -> Complexes:
+    """(N,) points (N, 3) of eye space in the window."""
+    found = window(points, camera)
+    return np.asarray(found[:, 0] + 1j * found[:, 1])
 
 
 def _samples(walk: Walk) -> tuple[Rows, Doubles]:
@@ -244,13 +230,16 @@ def _samples(walk: Walk) -> tuple[Rows, Doubles]:
     low = np.minimum(walk.begin, walk.finish)[on]
     order = on[np.lexsort((low, walk.stroke[on]))]
     size = np.abs(walk.places[1] - walk.places[0])[order]
-    size = np.where(np.isfinite(size), size, 0.0)
+    cut_off = walk.begin[order] == walk.finish[order]  # by the near plane
+    size = np.where(np.isfinite(size) & ~cut_off, size, 0.0)
     total = np.cumsum(size)
     stroke = walk.stroke[order]
     first = np.flatnonzero(np.append(True, stroke[1:] != stroke[:-1])) if len(order) else order
     lengths = np.diff(first, append=len(order))
     along = total - size - np.repeat((total - size)[first], lengths)
     begins, ends = (np.floor(place / _STEP + 0.5) for place in (along, along + size))
+    last = np.append(first[1:], len(order))[: len(first)] - 1
+    ends[last] = np.maximum(ends[last], size[last] > 0.0)  # of a short stroke, too
     counts = np.minimum(ends - begins, _MOST_SAMPLES).astype(np.intp)
     which = np.repeat(np.arange(len(order)), counts)
     number = within(counts)
@@ -261,61 +250,28 @@ def _samples(walk: Walk) -> tuple[Rows, Doubles]:
     return line, np.where(walk.begin[line] <= walk.finish[line], share, 1.0 - share)
 
 
-def _now(
-    past: Past, objects: NamedObjects, camera: Camera
-) -> tuple[Doubles, Complexes]:
-    """(N, 3) where old samples are now in eye space, moved with their objects, and (N,) in the
-    window; NaN where that is not known."""
+def _now(past: Past, objects: NamedObjects, camera: Camera) -> _Samples:
+    """Old samples where they are now, moved with their objects; NaN where that is not known."""
     before = tuple(zip(past.names, past.modelviews, strict=True))
-    motions = np.full((len(before), 4, 4), np.nan)
+    motions, owners = np.full((len(before), 4, 4), np.nan), np.full(len(before), -1, np.intp)
     for old, new in paired(before, objects).items():
+        owners[old] = new
         try:
             motions[old] = objects[new][1] @ np.linalg.inv(before[old][1])
         except np.linalg.LinAlgError:
             motions[old] = np.eye(4)
     with np.errstate(all="ignore"):
         motion = motions[past.owner]
-        points = np.einsum("nij,nj->ni", motion[:, :3, :3], past.points) + motion[:, :3, 3]
-        found = window(points, camera)
-    return points, np.asarray(found[:, 0] + 1j * found[:, 1])
-
-
-def paired(before: NamedObjects, now: NamedObjects) -> dict[int, int]:
-    """For objects of a frame, by number, which of the next frame they are: of those of one name
-    the nearest. Those whose names are new go on from those whose names are gone, in their order:
-    a surface that is made anew in each frame has no lasting connectivity."""
-    found: dict[int, int] = {}
-    by_name: dict[Hashable, tuple[list[int], list[int]]] = {}
-    for k, objects in enumerate((before, now)):
-        for number, (name, _) in enumerate(objects):
-            by_name.setdefault(name, ([], []))[k].append(number)
-    for old, new in by_name.values():
-        found.update(_nearest_poses(old, new, before, now))
-    gone = [number for old, new in by_name.values() if not new for number in old]
-    fresh = [number for old, new in by_name.values() if not old for number in new]
-    found.update(zip(sorted(gone), sorted(fresh), strict=False))
-    return found
-
-
-def _nearest_poses(
-    old: list[int], new: list[int], before: NamedObjects, now: NamedObjects
-) -> Iterable[tuple[int, int]]:
-    """Pairs of objects of one name, the most alike poses first."""
-    if len(old) == len(new) == 1 or max(len(old), len(new)) > _MOST_ALIKE:
-        return zip(old, new, strict=False)
-    one, other = (
-        np.array([objects[number][1][:3].ravel() for number in numbers]).reshape(-1, 12)
-        for numbers, objects in ((old, before), (new, now))
-    )
-    away = np.nan_to_num(((one[:, None] - other[None]) ** 2).sum(axis=2), nan=np.inf)
-    pairs: list[tuple[int, int]] = []
-    free = np.ones(away.shape, np.bool_)
-    for place in np.argsort(away, axis=None, kind="stable").tolist():
-        i, j = divmod(place, len(new))
-        if free[i, j]:
-            pairs.append((old[i], new[j]))
-            free[i], free[:, j] = False, False
-    return pairs
+        points, tips = (
+            np.einsum("nij,nj->ni", motion[:, :3, :3], some) + motion[:, :3, 3]
+            for some in (past.points, past.tips)
+        )
+        places = _places(points, camera)
+        way = _places(tips, camera) - places
+        reach = np.abs(way)
+        along = way / reach
+    owner = owners[past.owner]
+    return _Samples(points, tips, places, along, reach, past.group, owner, past.edge)
 
 
 def latest(pasts: tuple[Past, ...], names: Sequence[Hashable]) -> Past | None:
@@ -337,16 +293,27 @@ def kept_with(past: Past, pasts: tuple[Past, ...], before: Past | None) -> tuple
 class _Samples:
     points: Doubles
     """(N, 3) eye space."""
+    tips: Doubles
+    """(N, 3) about a pixel farther along."""
     places: Complexes
     """(N,) the window."""
     along: Complexes
+    """(N,) unit direction there."""
+    reach: Doubles
+    """(N,) pixels to the tip."""
     group: Rows
+    owner: Rows
+    """(N,) object, by number in the new frame."""
+    edge: Doubles
 
 
 def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Rows:
-    """(N,) the old sample nearest to each new one within `_REACH`, of its group and direction, or
-    -1."""
-    sound = np.flatnonzero(np.isfinite(old.places) & (np.abs(old.places) < 1e6))
+    """(N,) the old sample nearest to each new one within `_REACH`, or -1: one that runs along it
+    either way. Those of another group (a crease that is an outline now), another object or the
+    other way count as `_STRANGE` farther, and those of another edge a little: of several that lie
+    together each stays itself. Outlines that wind the other way are others."""
+    known = np.isfinite(old.places) & np.isfinite(old.along)
+    sound = np.flatnonzero(known & (np.abs(old.places) < 1e6) & (old.reach > 1e-6))
     keys = _cell(old.places[sound])
     order = sound[np.argsort(keys, kind="stable")]
     keys = np.sort(keys)
@@ -366,8 +333,13 @@ def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Rows:
                 who = order[first[at] + k]
                 deep = dot(new.points[at] - old.points[who], sight[at]) * scale[at]
                 away = np.hypot(np.abs(old.places[who] - new.places[at]), _DEPTH * deep)
-                fits = (away < nearest[at]) & (old.group[who] == new.group[at])
-                fits &= (old.along[who] * new.along[at].conj()).real > 0.5
+                same = (old.along[who] * new.along[at].conj()).real
+                for strange in (old.group[who] != new.group[at], old.owner[who] != new.owner[at],
+                                same < 0.0):  # fmt: skip
+                    away += np.where(strange, _STRANGE, 0.0)
+                away += np.where(old.edge[who] != new.edge[at], _OTHER, 0.0)
+                fits = (away < nearest[at]) & (np.abs(same) > 0.5)
+                fits &= (same > 0.0) | (old.group[who] != 0) | (new.group[at] != 0)
                 best[at[fits]], nearest[at[fits]] = who[fits], away[fits]
     return best
 

@@ -18,8 +18,9 @@ from glshim.geometry.edges.edges import Edges
 from glshim.geometry.edges.folds import FLAT, Folds, Topology
 from glshim.geometry.edges.gather import Placement
 from glshim.geometry.recovery.mesh import Mesh
-from glshim.linework.coherence import Drawn, Past, follow, keep
-from glshim.linework.hand import begun_anywhere, lifts, own_numbers
+from glshim.linework.coherence import Past
+from glshim.linework.hand import own_numbers
+from glshim.linework.patterns import lay_pattern
 from glshim.linework.polygon_lines import (
     SHARP,
     Seen,
@@ -32,7 +33,6 @@ from glshim.linework.polygon_lines import (
 from glshim.linework.side_by_side import mark_shared
 from glshim.linework.smooth_lines import SmoothPieces
 from glshim.linework.steady import MARGIN, Creases
-from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import GRAIN, is_ridge, is_valley
@@ -47,7 +47,6 @@ from glshim.model.lines import (
     RING,
     VALLEY,
     Line,
-    group_of,
     in_group,
     no_lines,
 )
@@ -261,8 +260,10 @@ def feature_lines(
     patterns follow; past is what the frame before gave."""
     own = replace(wanted, boundary=False)
     parts = [_sound(lines.records(modelview, camera, own)) for lines, modelview in objects]
-    parts.append(_sound(_across(objects, camera, wanted)))
-    whole = np.concatenate(parts) if parts else no_lines()
+    owner = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
+    across, whose = _across(objects, camera, wanted)
+    sound = np.isfinite(across).all(axis=1)
+    whole = np.concatenate((*parts, across[sound]))
     run_on(whole)
     if len(objects) > 1:
         among = None
@@ -273,36 +274,22 @@ def feature_lines(
         mark_shared(whole, among)
     if wanted.pattern is None:
         return whole, None
-    group = group_of(whole)
-    walk = measure(whole[:, Line.A], whole[:, Line.B], group, camera, wanted.pattern)
-    owner = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
-    named = names_of(objects)
-    a, b = (whole[:, end].astype(np.float64) for end in (Line.A, Line.B))
-    placed = tuple(zip(named, (modelview for _, modelview in objects), strict=True))
-    placed = (*placed, (("seams", *named), np.eye(4)))
-    drawn = Drawn(walk, a, b, group, owner, placed)
-    corner = wanted.pattern.corner
-    if corner is not None:
-        pattern = wanted.pattern
-        whole[:, Line.REST] = np.stack(lifts(walk, corner, straight=pattern.straight), axis=1)
-        drawn = replace(drawn, walk=begun_anywhere(walk))
-    if past is not None:
-        drawn = replace(drawn, walk=follow(drawn, camera, past))
-    turns = np.floor(drawn.walk.begin)
-    whole[:, Line.BEGIN] = drawn.walk.begin - turns
-    whole[:, Line.FINISH] = drawn.walk.finish - turns
-    return whole, keep(drawn, camera)
+    modelviews = (modelview for _, modelview in objects)
+    placed = tuple(zip(names_of(objects), modelviews, strict=True))
+    owner = np.concatenate((owner, whose[sound]))
+    return whole, lay_pattern(whole, owner, placed, camera, wanted.pattern, past=past)
 
 
 def _across(
     objects: Sequence[tuple[EdgeLines, Doubles]], camera: Camera, wanted: Features
-) -> Floats:
-    """Records of the edges that boundary edges make with each other, whatever objects they are of:
-    a program may cut a shape into pieces that it moves into place. Of those that stay alone the
-    boundary, and the fold where they stand on another surface (Raskar 2001, sections 2.2, 2.3)."""
+) -> tuple[Floats, Rows]:
+    """(L, 21) records of the edges that boundary edges make with each other, whatever objects they
+    are of: a program may cut a shape into pieces that it moves into place. Of those that stay alone
+    the boundary, and the fold where they stand on another surface (Raskar 2001, sections 2.2, 2.3).
+    And (L,) the object of each, by number."""
     rims = [lines.rims(modelview) for lines, modelview in objects]
     if not sum(map(len, rims)):
-        return no_lines()
+        return no_lines(), np.empty(0, np.intp)
     seams = seams_of(rims)
     seen = Seen(seams, Placement.one(np.eye(4), len(seams.planes)), camera)
     choice = Choice(
@@ -311,12 +298,14 @@ def _across(
         valley_angle=wanted.valley_angle,
     )
     folds = single_side_lines(seams.singles, seen, replace(choice, silhouettes=False))
-    records = seen.records(shared_edge_lines(seams, seen, choice) + folds)
-    if not wanted.boundary:
-        return records
-    alone = seen.records([(FIN, seams.singles, None)])
-    alone[:, Line.KIND] = in_group(FIN, BOUNDARY)
-    return np.concatenate((records, alone))
+    records, sides = seen.records_of_sides(shared_edge_lines(seams, seen, choice) + folds)
+    if wanted.boundary:
+        alone, own = seen.records_of_sides([(FIN, seams.singles, None)])
+        alone[:, Line.KIND] = in_group(FIN, BOUNDARY)
+        records, sides = np.concatenate((records, alone)), np.append(sides, own)
+    # A rim's sides are polygons of their own, one after the other.
+    lasts = np.cumsum([len(rim) for rim in rims])
+    return records, np.searchsorted(lasts, seams.polygon[sides], "right")
 
 
 def names_of(objects: Sequence[tuple[EdgeLines, Doubles]]) -> tuple[Hashable, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 
 import numpy as np
 
@@ -12,10 +12,13 @@ from glshim.linework.coherence import Past, kept_with, latest
 from glshim.linework.feature_lines import feature_lines, names_of
 from glshim.linework.groups import Group
 from glshim.linework.objects import Objects
-from glshim.linework.polygon_lines import polygon_lines
-from glshim.model.arrays import Floats, Indices
+from glshim.linework.pairing import NamedObjects
+from glshim.linework.patterns import lay_pattern
+from glshim.linework.polygon_lines import lines_of_objects
+from glshim.model.arrays import Floats, Indices, Rows
 from glshim.model.batch import Item, PolygonBatch, join
 from glshim.model.caches import AgingCache
+from glshim.model.lines import Line
 from glshim.styling.wishes import Features
 
 _LARGE = 4096
@@ -58,13 +61,42 @@ class LineFinder:
         small = [item for item in group.items if len(item[0].corners) <= _LARGE]
         if len(small) == 1:
             large, small = [*large, *small], []
-        parts = []
+        parts, objects = [], []
         for batch, camera in large:
             own = self._edges(batch)
             parts.append((own, Placement.one(camera.modelview, len(own.planes))))
+            objects.append((_name(batch), camera.modelview))
         if small:
-            parts.append(self._gathered(small))
-        return polygon_lines(parts, group.camera, wanted)
+            edges, places, names = self._gathered(small)
+            parts.append((edges, places))
+            objects += zip(names, places.modelviews, strict=True)
+        records, owner = lines_of_objects(parts, group.camera, wanted)
+        if wanted.pattern is not None:
+            self._lay_pattern(records, owner, tuple(objects), group)
+        return records
+
+    def lay_on_crossings(self, records: Floats, group: Group) -> None:
+        """The pattern of a group, on records (L, 21) of where its surfaces cross. These go with the
+        viewer, as what was drawn first does."""
+        pattern = group.wanted.pattern
+        assert pattern is not None
+        rest = records[:, Line.REST].copy()
+        objects = (("crossings", group.camera.modelview),)
+        self._lay_pattern(records, np.zeros(len(records), np.intp), objects, group)
+        if not pattern.straight:
+            records[:, Line.REST] = rest
+
+    def _lay_pattern(
+        self, records: Floats, owner: Rows, objects: NamedObjects, group: Group
+    ) -> None:
+        """Write the pattern of a group into records of its lines, of objects by number (L,), as it
+        was in the frame before."""
+        camera, pattern = group.camera, group.wanted.pattern
+        assert pattern is not None
+        view = (group.wanted, camera.viewport)
+        before = self._before(view, [name for name, _ in objects])
+        past = lay_pattern(records, owner, objects, camera, pattern, past=before)
+        self._keep(view, past, before)
 
     def _features(self, group: Group, wanted: Features) -> Floats:
         items = [(batch, camera.modelview) for batch, camera in group.items]
@@ -72,14 +104,20 @@ class LineFinder:
         camera = group.camera
         if wanted.pattern is None:
             return feature_lines(placed, camera, wanted)[0]
-        view, names = (wanted, camera.viewport), names_of(placed)
-        pasts = self._past.get(view) or ()
-        before = latest(pasts, names)
+        view = (wanted, camera.viewport)
+        before = self._before(view, names_of(placed))
         records, past = feature_lines(placed, camera, wanted, before)
         if past is not None:
-            pasts = kept_with(past, pasts, before)
-            self._past.put(view, pasts, sum(one.nbytes for one in pasts))
+            self._keep(view, past, before)
         return records
+
+    def _before(self, view: Hashable, names: Sequence[Hashable]) -> Past | None:
+        """What a view showed of objects in the frame before."""
+        return latest(self._past.get(view) or (), names)
+
+    def _keep(self, view: Hashable, past: Past, before: Past | None) -> None:
+        pasts = kept_with(past, self._past.get(view) or (), before)
+        self._past.put(view, pasts, sum(one.nbytes for one in pasts))
 
     def _edges(self, batch: PolygonBatch) -> Edges:
         """The edges of a batch, found again by key."""
@@ -92,8 +130,8 @@ class LineFinder:
             known = self._cache.put(key, made, made.nbytes)
         return known
 
-    def _gathered(self, items: list[Item]) -> tuple[Edges, Placement]:
-        """The edges of many small batches, each where it stands."""
+    def _gathered(self, items: list[Item]) -> tuple[Edges, Placement, list[Hashable]]:
+        """The edges of many small batches, each where it stands, and what stands there."""
         kept = [item for item in items if item[0].key is not None]
         passing: dict[int, list[Item]] = {}
         for item in items:
@@ -114,4 +152,11 @@ class LineFinder:
             owners.append(owner + np.int32(len(kept)))
         cameras = [camera for _, camera in kept] + [alike[0][1] for alike in passing.values()]
         modelviews = np.stack([camera.modelview for camera in cameras])
-        return merged(parts)[0], Placement(np.concatenate(owners), modelviews)
+        names = [_name(batch) for batch, _ in kept]
+        names += [_name(alike[0][0]) for alike in passing.values()]
+        return merged(parts)[0], Placement(np.concatenate(owners), modelviews), names
+
+
+def _name(batch: PolygonBatch) -> Hashable:
+    """What a batch is from frame to frame."""
+    return len(batch.corners) if batch.key is None else batch.key

@@ -8,10 +8,9 @@ import numpy as np
 
 from glshim.geometry.edges.edges import Edges, joined
 from glshim.geometry.edges.gather import Placement
-from glshim.linework.hand import lifts, own_numbers
+from glshim.linework.hand import own_numbers
 from glshim.linework.joins import link
 from glshim.linework.side_by_side import mark_shared
-from glshim.linework.walk import measure
 from glshim.model.arrays import Doubles, Flags, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import is_ridge, is_valley
@@ -26,12 +25,11 @@ from glshim.model.lines import (
     RING,
     VALLEY,
     Line,
-    group_of,
     kind_of,
     no_lines,
 )
 from glshim.model.vectors import unit
-from glshim.styling.wishes import Choice, Pattern
+from glshim.styling.wishes import Choice
 
 SHARP = np.radians(150.0)
 """Greatest dihedral angle at which a contour is a sharp edge."""
@@ -49,7 +47,8 @@ _Chosen = list[tuple[int, Rows, Rows | None]]
 def polygon_lines(
     parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choice
 ) -> Floats:
-    """(L, 21) float32 records of the lines, eye space; see `RECORD`. All but intersections.
+    """(L, 21) float32 records of the lines, eye space; see `RECORD`. All but intersections, without
+    a pattern.
 
     The camera's own modelview counts for nothing. Per side, as in the paper: a ring where its
     polygon is back-facing, a quad where it is front-facing. Where another side lies on its edge,
@@ -58,44 +57,51 @@ def polygon_lines(
     a valley only where they lie on both. Sides that find no neighbour in their own part look for
     one in the others, in eye space: how an app cuts its polygons into objects does not matter.
     """
+    return lines_of_objects(parts, camera, choice)[0]
+
+
+def lines_of_objects(
+    parts: Sequence[tuple[Edges, Placement]], camera: Camera, choice: Choice
+) -> tuple[Floats, Rows]:
+    """The same, and (L,) the object of each line: the number of its modelview, of all parts' one
+    after the other."""
     several = choice.connectivity and sum(len(places.modelviews) for _, places in parts) > 1
-    records: list[Floats] = []
+    records, owners = [no_lines()], [np.empty(0, np.intp)]
     lone: list[Edges] = []
+    whose: list[Rows] = []
+    first = 0
+
+    def add(seen: Seen, chosen: _Chosen, owner_of_polygons: Rows) -> None:
+        found, sides = seen.records_of_sides(chosen)
+        records.append(found)
+        owners.append(owner_of_polygons[seen.edges.polygon[sides]])
+
     for edges, places in parts:
         seen = Seen(edges, places, camera)
+        owner = places.polygon.astype(np.intp) + first
+        first += len(places.modelviews)
         if not choice.connectivity:
             everything = np.arange(len(edges), dtype=np.intp)
-            records.append(seen.records(single_side_lines(everything, seen, choice)))
+            add(seen, single_side_lines(everything, seen, choice), owner)
             continue
         chosen = shared_edge_lines(edges, seen, choice)
         if several:
             lone.append(seen.moved(edges.singles))
+            whose.append(owner[edges.polygon[edges.singles]])
         else:
             chosen += single_side_lines(edges.singles, seen, choice)
-        records.append(seen.records(chosen))
+        add(seen, chosen, owner)
     if lone and sum(map(len, lone)):
         seams = seams_of(lone)
         seen = Seen(seams, Placement.one(np.eye(4), len(seams.planes)), camera)
         chosen = shared_edge_lines(seams, seen, choice)
         chosen += single_side_lines(seams.singles, seen, choice)
-        records.append(seen.records(chosen))
-    whole = np.concatenate(records) if records else no_lines()
+        add(seen, chosen, np.concatenate(whose))  # each side is a polygon of its own there
+    whole = np.concatenate(records)
     run_on(whole)
     if choice.connectivity:
         mark_shared(whole)
-    if choice.pattern is not None:
-        lay_pattern(whole, camera, choice.pattern)
-    return whole
-
-
-def lay_pattern(records: Floats, camera: Camera, pattern: Pattern) -> None:
-    """Write into records (L, 21) how far along a pattern each line lies, whatever their kinds."""
-    group = group_of(records)
-    walk = measure(records[:, Line.A], records[:, Line.B], group, camera, pattern)
-    turns = np.floor(walk.begin)
-    records[:, Line.BEGIN], records[:, Line.FINISH] = walk.begin - turns, walk.finish - turns
-    if pattern.straight and pattern.corner is not None:
-        records[:, Line.REST] = np.stack(lifts(walk, pattern.corner, straight=True), axis=1)
+    return whole, np.concatenate(owners)
 
 
 def run_on(records: Floats) -> None:
@@ -149,10 +155,14 @@ class Seen:
 
     def records(self, chosen: _Chosen) -> Floats:
         """Records of lines, see `RECORD`."""
+        return self.records_of_sides(chosen)[0]
+
+    def records_of_sides(self, chosen: _Chosen) -> tuple[Floats, Rows]:
+        """(L, 21) records of lines, see `RECORD`, and (L,) the side that each is of."""
         count = sum(len(sides) for _, sides, _ in chosen)
         records = np.empty((count, RECORD), np.float32)
         if not count:
-            return records
+            return records, np.empty(0, np.intp)
         sides = np.concatenate([sides for _, sides, _ in chosen])
         normals, beyond = self._normals(sides), np.zeros((count, 3))
         at = 0
@@ -179,7 +189,7 @@ class Seen:
         records[:, Line.OTHER_NORMAL] = beyond
         records[:, Line.REPEATS] = records[:, Line.REST] = 0.0
         records[:, Line.NUMBER] = own_numbers(sides)
-        return records
+        return records, sides
 
     def _ends(self, sides: Rows) -> Floats:
         """(N, 2, 3) both ends in eye space."""

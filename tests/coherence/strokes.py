@@ -18,6 +18,9 @@ STEP = 3.0
 """Pixels from sample to sample."""
 REACH = 4
 """Pixels in which a sample of the other frame is the same place of a line."""
+STRANGE = 3.0
+"""Pixels by which one of another kind of line, or across, counts as farther away: where lines cross
+or lie together each is compared with itself."""
 
 _UNDECIDED = (LONE_RIDGE, LONE_VALLEY)
 """Whether these are lines the shader says."""
@@ -39,6 +42,10 @@ class Samples:
     """(N, 2) how these grow in a pixel."""
     length: np.ndarray
     """(N,) pixels of a repeat."""
+    along: np.ndarray
+    """(N, 2) unit direction of the line."""
+    group: np.ndarray
+    """(N,) of the line."""
 
 
 def sampled(groups: Iterable[tuple[Group, np.ndarray]], depth: np.ndarray) -> Samples:
@@ -52,7 +59,7 @@ def sampled(groups: Iterable[tuple[Group, np.ndarray]], depth: np.ndarray) -> Sa
         strokes += len(chains)
         parts.append(_along(records, number, group.camera, group.wanted.pattern, depth))
     if not parts:
-        parts = [tuple(np.empty((0, *more)) for more in ((2,), (), (), (), (2,), ()))]
+        parts = [tuple(np.empty((0, *more)) for more in ((2,), (), (), (), (2,), (), (2,), ()))]
     joined = [np.concatenate(some) for some in zip(*parts, strict=True)]
     return Samples(*joined)
 
@@ -75,12 +82,14 @@ def _along(records, number, camera: Camera, pattern, depth) -> tuple[np.ndarray,
     seen = within & (place[:, 2] <= around + NEAR * (1.0 - around) + 1e-6)
     line, share, place = line[seen], share[seen], place[seen]
     lengths = np.zeros(8) if pattern is None else np.resize(pattern.lengths, 8)
-    own = lengths[group_of(records)][line] if len(records) else np.zeros(0)
+    group = group_of(records)[line]
+    own = lengths[group]
     first, last = records[:, Line.BEGIN].astype(float), records[:, Line.FINISH].astype(float)
     phase = np.where(own > 0.0, first[line] + share * (last - first)[line], np.nan)
     step = (b - a)[line, :2]
     slope = ((last - first)[line] / np.maximum((step**2).sum(axis=1), 1e-9))[:, None] * step
-    return place[:, :2], place[:, 2], number[line].astype(float), phase, slope, own
+    along = step / np.maximum(np.hypot(*step.T), 1e-9)[:, None]
+    return place[:, :2], place[:, 2], number[line].astype(float), phase, slope, own, along, group
 
 
 @dataclass
@@ -97,22 +106,25 @@ class Kept:
         if not len(before.places) or not len(now.places):
             return
         carried, known = _carried(before, motion, depth)
-        nearest = _nearest(carried, now.places, depth.shape)
+        nearest = _nearest(carried, before, now)
         met = np.flatnonzero(known & (nearest >= 0))
         old, new = before.stroke[met].astype(int), now.stroke[nearest[met]].astype(int)
-        pairs, count = np.unique(np.stack((old, new)), axis=1, return_counts=True)
+        pairs, which, count = np.unique(
+            np.stack((old, new)), axis=1, return_inverse=True, return_counts=True
+        )
         most_old = np.zeros(old.max(initial=-1) + 1, int)
         most_new = np.zeros(new.max(initial=-1) + 1, int)
         np.maximum.at(most_old, pairs[0], count)
         np.maximum.at(most_new, pairs[1], count)
         mutual = (count == most_old[pairs[0]]) & (count == most_new[pairs[1]])
+        same = mutual[which.ravel()]
         self.met += len(met)
         self.kept += int(count[mutual].sum())
         there = nearest[met]
         ahead = (now.slope[there] * (carried[met] - now.places[there])).sum(axis=1)
         apart = now.phase[there] + ahead - before.phase[met]
         apart = np.abs(apart - np.rint(apart)) * now.length[there]
-        told = np.isfinite(apart) & (now.length[there] > 0.0)
+        told = same & np.isfinite(apart) & (now.length[there] > 0.0)
         self.drift += float(apart[told].sum())
         self.patterned += int(told.sum())
 
@@ -133,15 +145,18 @@ def _carried(samples: Samples, motion: Motion, depth: np.ndarray) -> tuple[np.nd
     return samples.places + np.nan_to_num(step), np.isfinite(step).all(axis=1)
 
 
-def _nearest(carried: np.ndarray, places: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """(N,) the sample nearest to each place within `REACH`, or -1."""
-    height, width = shape
-    index = np.full((height + 2 * REACH, width + 2 * REACH), -1)
-    x, y = (np.floor(places[:, k]).astype(int) + REACH for k in (0, 1))
-    offsets = [(i, j) for i in range(-REACH, REACH + 1) for j in range(-REACH, REACH + 1)]
-    for i, j in sorted(offsets, key=lambda at: -(at[0] ** 2 + at[1] ** 2)):
-        u, v = np.clip(x + i, 0, width + 2 * REACH - 1), np.clip(y + j, 0, height + 2 * REACH - 1)
-        index[v, u] = np.arange(len(x))
-    u = np.clip(np.floor(carried[:, 0]).astype(int) + REACH, 0, width + 2 * REACH - 1)
-    v = np.clip(np.floor(carried[:, 1]).astype(int) + REACH, 0, height + 2 * REACH - 1)
-    return index[v, u]
+def _nearest(carried: np.ndarray, before: Samples, now: Samples) -> np.ndarray:
+    """(N,) the sample now that is nearest to where each was carried (N, 2), within `REACH`, or -1.
+    """
+    found = np.full(len(carried), -1)
+    for first in range(0, len(carried), 256):
+        some = slice(first, first + 256)
+        away = np.hypot(*(carried[some, None] - now.places[None]).transpose(2, 0, 1))
+        same = np.einsum("nk,mk->nm", before.along[some], now.along)
+        group = before.group[some, None]
+        same = np.where(group == 0, same, np.abs(same))  # creases run either way
+        cost = away + STRANGE * ((same < 0.5) + 1.0 * (group != now.group[None]))
+        cost[away > REACH] = np.inf
+        best = cost.argmin(axis=1)
+        found[some] = np.where(np.isfinite(cost[np.arange(len(best)), best]), best, -1)
+    return found

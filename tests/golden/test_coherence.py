@@ -7,7 +7,7 @@ import pytest
 
 from glshim.styling.texts import parse_style
 from tests import look
-from tests.coherence import pixels
+from tests.coherence import pixels, strokes
 from tests.coherence.carry import Carrier, clear, draw_base
 from tests.coherence.motions import MOTIONS
 from tests.coherence.report import Studio
@@ -92,6 +92,19 @@ def test_patterns_of_surfaces_lie_on_the_object(carrier, text):
     held, still = found
     assert still > 1.9
     assert held < 0.9
+
+
+@pytest.mark.parametrize("motion", ["turn", "pan"])
+@pytest.mark.parametrize("text", ["sketch", "raskar:dash=16"])
+def test_patterns_of_strokes_go_with_them(carrier, text, motion):
+    """The floor's open sides, too, and what becomes an outline."""
+    studio = Studio(parse_style(text), FRAMES)
+    one, other = (studio.shown(MOTIONS[motion](FRAMES, k)) for k in (0, 1))
+    kept = strokes.Kept()
+    ahead = carrier.motion(one.frame, other.frame, other.depth)
+    kept.add(one.samples, other.samples, ahead, one.depth)
+    assert kept.patterned > 500
+    assert kept.drift / kept.patterned < 0.3
 
 
 def test_a_skeleton_is_as_long_as_its_stroke():

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from glshim.linework import coherence
-from glshim.linework.coherence import Drawn, Past, follow, kept_with, latest, paired
+from glshim.linework.coherence import Drawn, Past, follow, kept_with, latest
+from glshim.linework.pairing import paired
 from glshim.linework.walk import measure
 from glshim.model.camera import Camera
 from glshim.styling.wishes import Pattern
@@ -50,13 +51,14 @@ def together(*some):
     return tuple(np.concatenate(parts) for parts in zip(*some, strict=True))
 
 
-def drawn(lines, group=1, objects=STILL, owner=None, past=None):
+def drawn(lines, group=1, *, objects=STILL, owner=None, past=None, edge=None):
     """Lines of a frame, with the phases that follow a past."""
     a, b = lines
     groups = np.full(len(a), group) if np.isscalar(group) else np.asarray(group)
     walk = measure(a.astype(np.float32), b.astype(np.float32), groups, CAMERA, PATTERN)
     owners = np.zeros(len(a), int) if owner is None else np.asarray(owner)
-    found = Drawn(walk, a, b, groups, owners, objects)
+    edge = np.zeros(len(a)) if edge is None else np.asarray(edge, float)
+    found = Drawn(walk, a, b, groups, owners, edge, objects)
     return found if past is None else replace(found, walk=follow(found, CAMERA, past))
 
 
@@ -196,16 +198,16 @@ def _nothing():
     none = np.zeros(0, int)
     walk = replace(frame.walk, begin=np.zeros(0), finish=np.zeros(0), stroke=none,
                    loop=np.zeros(0), places=(np.zeros(0, complex),) * 2)  # fmt: skip
-    return Drawn(walk, np.zeros((0, 3)), np.zeros((0, 3)), none, none, STILL)
+    return Drawn(walk, np.zeros((0, 3)), np.zeros((0, 3)), none, none, np.zeros(0), STILL)
 
 
 def test_no_lines_follow_anything():
     assert len(follow(_nothing(), CAMERA, keep(drawn(cut(STRAIGHT)))).begin) == 0
 
 
-@pytest.mark.parametrize("other", ["across", "back", "group", "far", "depth"])
+@pytest.mark.parametrize("other", ["across", "back", "far", "depth"])
 def test_what_is_something_else_is_not_followed(other):
-    """A line across, one that winds the other way, of another kind, too far off or far behind."""
+    """A line across, an outline that winds the other way, one too far off or far behind."""
     before = shifted(drawn(cut([(-100, 0), (100, 0)])), 0.4)
     lines, group = cut([(-100, 1), (100, 1)]), 1
     if other == "across":
@@ -213,14 +215,94 @@ def test_what_is_something_else_is_not_followed(other):
     elif other == "back":
         lines, group = cut([(100, 1), (-100, 1)]), 0
         before = shifted(drawn(cut([(-100, 0), (100, 0)]), group=0), 0.4)
-    elif other == "group":
-        group = 2
     elif other == "far":
         lines = cut([(-100, 13), (100, 13)])
     else:
         lines = tuple(end - (0, 0, 45.0) for end in lines)
     alone = drawn(lines, group=group)
     assert (drawn(lines, group=group, past=keep(before)).walk.begin == alone.walk.begin).all()
+
+
+@pytest.mark.parametrize("group", [0, 2])
+def test_a_crease_that_becomes_another_line_keeps_its_pattern(group):
+    before = shifted(drawn(cut(STRAIGHT)), 0.37)
+    after = drawn(cut(STRAIGHT), group=group, past=keep(before))
+    assert apart(after.walk.begin, before.walk.begin).max() < 0.2
+
+
+def test_a_crease_whose_lines_come_the_other_way_round_keeps_its_pattern():
+    """Which way a crease runs is decided by the first of its lines."""
+    before = shifted(drawn(cut(STRAIGHT)), 0.37)
+    a, b = cut(STRAIGHT)
+    after = drawn((b, a), past=keep(before))
+    assert apart(after.walk.begin, before.walk.finish).max() < 0.2
+    assert (after.walk.begin > after.walk.finish).all()
+
+
+def test_of_lines_that_lie_together_each_stays_itself():
+    one = cut(STRAIGHT)
+    count = len(one[0])
+    edge = np.arange(2 * count) + 1.0
+    frame = drawn(together(one, one), group=np.repeat((1, 2), count), edge=edge)
+    begin = np.r_[frame.walk.begin[:count], frame.walk.begin[count:] + 0.3]
+    finish = np.r_[frame.walk.finish[:count], frame.walk.finish[count:] + 0.3]
+    before = replace(frame, walk=replace(frame.walk, begin=begin, finish=finish))
+    after = drawn(together(one, one), group=np.repeat((1, 2), count), edge=edge, past=keep(before))
+    assert apart(after.walk.begin, begin).max() < 0.2
+
+
+@pytest.mark.parametrize("step", [7.0, 400.0])
+def test_a_pattern_that_is_stretched_moves_with_its_object_and_then_stands_still(step):
+    """A long line of one piece, too, on which the pattern goes by many times."""
+    wide = np.diag((1.3, 1.0, 1.0, 1.0))
+    before = shifted(drawn(cut(STRAIGHT, step)), 0.21)
+    lines = cut([(-195, -20), (195, 20)], 1.3 * step)
+    frame = drawn(lines, objects=(("it", wide),), past=keep(before))
+    assert apart(frame.walk.begin, before.walk.begin).max() < 0.2
+    assert apart(frame.walk.finish, before.walk.finish).max() < 0.2
+    for _ in range(20):
+        frame = drawn(lines, objects=(("it", wide),), past=keep(frame))
+    assert apart(frame.walk.begin, before.walk.begin).max() < 0.5
+
+
+@pytest.mark.parametrize("factor", [1.04, 1 / 1.04])
+def test_repeats_come_by_octaves_when_the_viewer_comes_near_or_goes(factor):
+    """The pattern is never much longer or shorter on the screen than it should be, and where two
+    repeats took the place of one, the ends of every other one lie where they lay."""
+    size = 100.0 if factor > 1.0 else 1000.0
+    frame, scale, jumps = drawn(cut([(-size, 0), (size, 0)], 30.0)), 1.0, 0
+    for _ in range(50):
+        past, pace = keep(frame), abs(frame.walk.finish[0] - frame.walk.begin[0])
+        scale *= factor
+        zoom = np.diag((scale, 1.0, 1.0, 1.0))
+        lines = cut([(-size * scale, 0), (size * scale, 0)], 30.0 * scale)
+        before = frame.walk.begin
+        frame = drawn(lines, objects=(("it", zoom),), past=past)
+        repeats = abs(frame.walk.finish - frame.walk.begin).sum()
+        length = 2 * size * scale / repeats
+        assert LENGTH / 1.8 < length < LENGTH * 1.8
+        again = abs(frame.walk.finish[0] - frame.walk.begin[0]) / pace
+        if 0.9 < again < 1.1:
+            assert apart(frame.walk.begin, before).max() < 0.5
+        elif again > 1.0:
+            jumps += 1
+            assert apart(frame.walk.begin, 2 * before).max() < 0.5
+        else:
+            jumps += 1
+            assert apart(2 * frame.walk.begin, before).max() < 1.0
+    assert jumps in (2, 3)
+
+
+def test_lines_that_the_near_plane_cut_off_say_nothing():
+    """Their places in the window are of no use."""
+    behind = tuple(end + np.array((0, 0, 60.0)) for end in cut([(-100, 3), (100, 3)]))
+    lens = Camera(np.eye(4), look.perspective(60.0), (0, 0, 400, 400))
+    a, b = together(tuple(0.01 * end for end in cut([(-300, 0), (300, 0)], 100.0)), behind)
+    groups, zeros = np.ones(len(a), int), np.zeros(len(a))
+    walk = measure(a.astype(np.float32), b.astype(np.float32), groups, lens, PATTERN)
+    frame = Drawn(walk, a, b, groups, zeros.astype(int), zeros, STILL)
+    past = coherence.keep(frame, lens)
+    assert len(past.points) and (past.points[:, 2] < 0).all()
 
 
 def test_objects_that_vanish_leave_those_that_stay_alone():
@@ -325,10 +407,10 @@ def test_lines_that_recede_stay_where_they_are():
     a, b = np.array([[-1.0, -1, -2], [-1, 0.5, -1.2]]), np.array([[3.0, 1, -30], [2, 1, -9]])
     groups, owner = np.ones(2, int), np.zeros(2, int)
     walk = measure(a.astype(np.float32), b.astype(np.float32), groups, lens, PATTERN)
-    first = frame = shifted(Drawn(walk, a, b, groups, owner, STILL), 0.3)
+    first = frame = shifted(Drawn(walk, a, b, groups, owner, np.zeros(len(a)), STILL), 0.3)
     for _ in range(10):
         past = coherence.keep(frame, lens)
-        frame = Drawn(walk, a, b, groups, owner, STILL)
+        frame = Drawn(walk, a, b, groups, owner, np.zeros(len(a)), STILL)
         frame = replace(frame, walk=follow(frame, lens, past))
     assert apart(frame.walk.begin, first.walk.begin).max() < 1e-3
     assert apart(frame.walk.finish, first.walk.finish).max() < 1e-3

@@ -7,6 +7,7 @@ import pytest
 
 from glshim.geometry.edges.edges import edges
 from glshim.geometry.edges.gather import Placement
+from glshim.linework.patterns import lay_pattern
 from glshim.linework.polygon_lines import polygon_lines
 from glshim.linework.walk import measure
 from glshim.model.camera import Camera
@@ -182,9 +183,11 @@ def test_outlines_of_a_closed_mesh_are_loops_without_a_jump(name):
     mesh = edges(look.MESHES[name]())
     for direction in look.directions(6):
         camera = Camera(look.look_at(5 * direction), look.perspective(), (0, 0, SIZE, SIZE))
-        choice = Choice(silhouettes=True, pattern=pattern(12.0))
+        choice = Choice(silhouettes=True)
         parts = [(mesh, Placement.one(camera.modelview, len(mesh.planes)))]
         found = polygon_lines(parts, camera, choice)
+        one = (("it", camera.modelview),)
+        lay_pattern(found, np.zeros(len(found), int), one, camera, pattern(12.0))
         found = found[np.isin(found[:, Line.KIND], OUTLINES)]
         columns = (Line.A, Line.B, Line.BEGIN, Line.FINISH)
         jumps = joints(*(found[:, column] for column in columns))

@@ -15,7 +15,6 @@ from glshim.driver.functions import current_context
 from glshim.errors import RenderError
 from glshim.linework.finder import LineFinder
 from glshim.linework.groups import Group, grouped
-from glshim.linework.polygon_lines import lay_pattern
 from glshim.model.batch import Item
 from glshim.model.camera import Camera
 from glshim.notices import say_once
@@ -187,7 +186,7 @@ class Backend:
             assert self._crossings is not None
             found = self._crossings.find(group.items, frame)
             if group.wanted.pattern is not None:
-                lay_pattern(found, group.camera, group.wanted.pattern)
+                self._finder.lay_on_crossings(found, group)
             self._met[name] = found
         return found
 
