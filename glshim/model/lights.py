@@ -58,6 +58,7 @@ class Materials(Enum):
     STAY = "they are as before it"
     VARY = "they change, or begin to follow the current colour"
     SAID = "they change, and each change is told"
+    SHADE = "their diffuse colours change alone"
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,6 +40,7 @@ class Role(Enum):
     MATRIX_PUSH = "keeps the current matrix"
     MATRIX_POP = "puts the kept matrix back"
     ENABLE = "turns a switch on"
+    COLOUR_MATERIAL = "says which materials follow the current colour"
     DISABLE = "turns a switch off"
     WINDING = "says which winding is the front"
     DEPTH_MASK = "says whether depth is written"
@@ -84,7 +85,7 @@ IN_LISTS = frozenset(
     (
         Role.MATRIX, Role.MATRIX_MODE, Role.MATRIX_PUSH, Role.MATRIX_POP, Role.ENABLE,
         Role.DISABLE, Role.WINDING, Role.DEPTH_MASK, Role.POLYGON_MODE, Role.ATTRIB_PUSH,
-        Role.ATTRIB_POP,
+        Role.ATTRIB_POP, Role.COLOUR_MATERIAL,
     )
 )  # fmt: skip
 """Followed only while a display list is open; else the driver is asked."""
@@ -156,6 +157,7 @@ ROWS: tuple[tuple[Role, str], ...] = (
     (Role.ENABLE, r"glEnable"),
     (Role.DISABLE, r"glDisable"),
     (Role.WINDING, r"glFrontFace"),
+    (Role.COLOUR_MATERIAL, r"glColorMaterial"),
     (Role.DEPTH_MASK, r"glDepthMask"),
     (Role.POLYGON_MODE, r"glPolygonMode"),
     (Role.ATTRIB_PUSH, r"glPushAttrib"),

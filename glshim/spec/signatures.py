@@ -135,6 +135,7 @@ SIGNATURES: dict[str, str] = {
     "glIsShader": "u>b",
     "glIsTexture": "u>b",
     "glLightModelfv": "up",
+    "glLightfv": "uup",
     "glLineStipple": "iu",
     "glLineWidth": "f",
     "glLinkProgram": "u",

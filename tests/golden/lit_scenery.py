@@ -66,3 +66,81 @@ def in_fog(mode, lit=True):
         box((-4.0 + 1.2 * k, 0.0, 2.0 - 4.0 * k), 1.0)
     glDisable(GL_FOG)
     box((-3.0, 0.0, 2.0), 1.0)
+
+
+PAPER, STONE = (0.9, 0.85, 0.7, 1.0), (0.25, 0.35, 0.3, 1.0)
+
+
+def say(parameter, face=GL_FRONT_AND_BACK):
+    return lambda shade: glMaterialfv(face, parameter, shade)
+
+
+def cheques(shade, *, one=True):
+    """A chequered floor in one primitive, or in one for each cheque; shade: called for each with
+    a colour."""
+    glNormal3f(0.0, 1.0, 0.0)
+    if one:
+        glBegin(GL_QUADS)
+    for i in range(8):
+        for k in range(8):
+            shade(PAPER if (i + k) % 2 else STONE)
+            if not one:
+                glBegin(GL_QUADS)
+            plane(i - 4.0, k - 4.0, 1.0, 1.0)
+            if not one:
+                glEnd()
+    if one:
+        glEnd()
+
+
+def floor_of(shade, *, listed=False, tracked=None, within=False, one=True):
+    """shade: says a colour. tracked: the parameter that follows glColor; within: the list says so
+    by itself."""
+    look((0.0, 4.0, 6.0))
+    light((2.0, 5.0, 3.0, 0.0))
+    glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT, (0.2, 0.2, 0.2, 1.0))
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, (0.2, 0.2, 0.8, 1.0))
+
+    def follow():
+        if tracked:
+            glColorMaterial(GL_FRONT_AND_BACK, tracked)
+            glEnable(GL_COLOR_MATERIAL)
+
+    if not within:
+        follow()
+    if listed:
+        glNewList(7, GL_COMPILE)
+    if within:
+        follow()
+    cheques(shade, one=one)
+    if within:
+        glDisable(GL_COLOR_MATERIAL)
+    if listed:
+        glEndList()
+        glCallList(7)
+    glDisable(GL_COLOR_MATERIAL)
+
+
+def colour(shade):
+    glColor4f(*shade)
+
+
+FLOORS = {
+    f"{'list' if listed else 'drawn'}-{name}": (shade, {"listed": listed, **how})
+    for listed in (False, True)
+    for name, shade, how in (
+        ("diffuse", say(GL_DIFFUSE), {}),
+        ("both", say(GL_AMBIENT_AND_DIFFUSE), {}),
+        ("front", say(GL_DIFFUSE, GL_FRONT), {}),
+        ("apart", say(GL_DIFFUSE), {"one": False}),
+        ("tracked", colour, {"tracked": GL_DIFFUSE}),
+        ("tracked_both", colour, {"tracked": GL_AMBIENT_AND_DIFFUSE}),
+        ("tracked_within", colour, {"tracked": GL_DIFFUSE, "within": True}),
+        ("tracked_apart", colour, {"tracked": GL_DIFFUSE, "within": True, "one": False}),
+    )
+}
+
+
+def floor(way):
+    shade, how = FLOORS[way]
+    floor_of(shade, **how)

@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 import pytest
+from OpenGL import GL
 
 from tests.golden import lit_scenery, restyled, scenery
 from tests.golden.restyled import Picture
@@ -58,3 +59,34 @@ def test_fog_lies_over_light(mode: str, style: str) -> None:
     assert share[ground].min() < 0.05
     assert share[ground].max() > 0.3
     assert (off > 5).mean() < 0.01
+
+
+@pytest.mark.parametrize("way", lit_scenery.FLOORS)
+def test_a_chequered_floor_keeps_its_cheques(way: str) -> None:
+    """However its diffuse colours come: within primitives, within lists, of one face or both."""
+    floor = np.s_[5:120, 100:300]
+    for style in ("cartoon", "technical"):
+        found = shown(partial(lit_scenery.floor, way), style)[floor]
+        plain = shown(partial(lit_scenery.floor, "drawn-tracked"), style)[floor]
+        assert np.ptp(plain.reshape(-1, 3), axis=0).min() > 50
+        assert np.abs(found - plain).max() <= (24 if way.startswith("list") else 1)
+
+
+def test_what_shows_the_materials_of_lists_is_put_back() -> None:
+    """Lamps from all sides for a moment: a program finds its own."""
+    def lamps() -> list[float]:
+        names = GL.GL_AMBIENT, GL.GL_DIFFUSE, GL.GL_SPECULAR, GL.GL_POSITION, GL.GL_SPOT_CUTOFF
+        found = [GL.glGetLightfv(GL.GL_LIGHT0 + k, name) for k in range(8) for name in names]
+        state = (GL.GL_LIGHT_MODEL_AMBIENT, GL.GL_MODELVIEW_MATRIX, GL.GL_MATRIX_MODE,
+                 GL.GL_NORMALIZE, *(GL.GL_LIGHT0 + k for k in range(8)))  # fmt: skip
+        found += [GL.glGetFloatv(name) for name in state]
+        return np.concatenate([np.ravel(each) for each in found]).tolist()
+
+    def scene() -> None:
+        lit_scenery.floor("list-diffuse")
+        seen.append(lamps())
+
+    seen: list[list[float]] = []
+    shown(scene)
+    shown(scene, "cartoon")
+    assert seen[0] == seen[1]

@@ -9,12 +9,12 @@ from typing import Any
 from glshim.bindings.base import PrimitiveStream
 from glshim.driver.ask import integer
 from glshim.model.batch import Wanted
-from glshim.model.lights import MaterialChange
+from glshim.model.lights import MaterialChange, Materials
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.lists import ListBook, list_names
 from glshim.sources.fixed.steps import Closing, LooseVertices, Opening, Step
 from glshim.sources.source import Call
-from glshim.spec.constants import GL_COMPILE, GL_DIFFUSE, GL_LIST_BASE
+from glshim.spec.constants import GL_COMPILE, GL_LIST_BASE
 from glshim.spec.roles import Role
 
 
@@ -47,16 +47,18 @@ class ListCompiler:
         self.needs_base = self._partial
         return self.book.end()
 
-    def called(self, role: Role, args: Sequence[Any]) -> tuple[bool, bool]:
-        """Of a call of LIST_CALLS: whether it draws lines, points, text or nothing, and whether it
-        changes materials while it draws."""
+    def called(self, role: Role, args: Sequence[Any]) -> tuple[bool, Materials]:
+        """Of a call of LIST_CALLS: whether it draws lines, points, text or nothing, and what
+        materials do while it draws."""
         facts = [self.book.facts(name) for name in self.names(role, args)]
-        return all(each.draws_ink for each in facts), any(each.materials_vary for each in facts)
+        found = {each.materials for each in facts}
+        first = next((m for m in (Materials.SHADE, Materials.VARY) if m in found), Materials.STAY)
+        return all(each.draws_ink for each in facts), first
 
     def material_inside(self, change: MaterialChange) -> None:
         """An open list changes a material inside a primitive."""
         if self.book.open is not None:
-            self.book.open.materials_vary |= change.parameter != GL_DIFFUSE
+            self.book.open.changed.add(change.parameter)
 
     def held(self) -> int:
         """How many things an open list holds so far."""

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from glshim.driver import arguments
 from glshim.driver.arguments import address_of, number
 from glshim.model.batch import POSITIONS, PolygonBatch, Wanted, join
+from glshim.model.lights import Materials
 from glshim.notices import say_once
 from glshim.sources.fixed import normals
 from glshim.sources.fixed.immediate import assemble_many, transformed
@@ -42,6 +43,7 @@ from glshim.spec.constants import (
     GL_COLOR_MATERIAL,
     GL_CURRENT_BIT,
     GL_DEPTH_TEST,
+    GL_DIFFUSE,
     GL_FILL,
     GL_FLOAT,
     GL_INT,
@@ -78,8 +80,9 @@ class ListProgram:
     """What one list holds."""
 
     items: list[Step] = field(default_factory=list)
-    materials_vary: bool = False
-    """It changes materials inside primitives, or has them follow the current colour."""
+    changed: set[int] = field(default_factory=set)
+    """The parameters of materials that it changes inside primitives, or that it has follow the
+    current colour; 0: those that do so when it is called."""
 
 
 class Facts(NamedTuple):
@@ -87,8 +90,8 @@ class Facts(NamedTuple):
 
     draws_ink: bool
     """It draws lines, points or text, and no polygons."""
-    materials_vary: bool
-    """It changes materials while it draws."""
+    materials: Materials
+    """What they do while it draws."""
     reach: frozenset[int]
     """The list and all that it calls."""
 
@@ -126,7 +129,7 @@ class ListBook:
         """glEndList: the list takes effect. Its name."""
         if self.open is None:
             return None
-        self.open.materials_vary |= any(map(_follows_colours, self.open.items))
+        self.open.changed |= _following_colours(self.open.items)
         self._programs[self._name] = self.open
         self._changed({self._name})
         self.open = None
@@ -151,7 +154,7 @@ class ListBook:
             ink = all(map(is_no_polygon, steps)) and any(map(is_drawn, steps))
             found = self._facts[name] = Facts(
                 len(known) == len(programs) and ink,
-                any(program.materials_vary for program in known),
+                _changing({name for program in known for name in program.changed}),
                 reach,
             )
         return found
@@ -350,13 +353,26 @@ class _Walk:
             self._loaded = self._loaded or call.loads
 
 
-def _follows_colours(item: Step) -> bool:
-    """Whether that turns GL_COLOR_MATERIAL on."""
-    return (
-        isinstance(item, Change)
-        and role_of(item.name) is Role.ENABLE
-        and arguments.name(item.args, 0) == GL_COLOR_MATERIAL
-    )
+def _following_colours(items: Iterable[Step]) -> set[int]:
+    """Parameters of materials that steps of a list have follow the current colour, see
+    `ListProgram.changed`."""
+    found, parameter = set(), 0
+    for item in items:
+        if not isinstance(item, Change):
+            continue
+        role = role_of(item.name)
+        if role is Role.COLOUR_MATERIAL:
+            parameter = arguments.name(item.args, 1)
+        elif role is Role.ENABLE and arguments.name(item.args, 0) == GL_COLOR_MATERIAL:
+            found.add(parameter)
+    return found
+
+
+def _changing(parameters: set[int]) -> Materials:
+    """What materials of which these change do."""
+    if GL_DIFFUSE in parameters:
+        return Materials.SHADE
+    return Materials.VARY if parameters else Materials.STAY
 
 
 _MATRIX_ROLES = frozenset((Role.MATRIX, Role.MATRIX_PUSH, Role.MATRIX_POP))

@@ -313,8 +313,7 @@ class Follower:
         elif role not in LIST_CALLS:
             self._open(True, scene)
         else:
-            ink, varies = scene.fixed.lists.called(role, args)
-            materials = Materials.VARY if varies else Materials.STAY
+            ink, materials = scene.fixed.lists.called(role, args)
             self._open(not ink, scene, materials, ink=ink, listed=True)
 
     def _open(

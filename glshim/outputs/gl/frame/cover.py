@@ -10,16 +10,24 @@ from __future__ import annotations
 import threading
 from collections.abc import Sequence
 
-from glshim.driver.ask import integers, is_enabled
+from glshim.driver.ask import integer, integers, is_enabled
 from glshim.driver.functions import current_context, gl
 from glshim.driver.queries import counting
 from glshim.driver.unnoticed import Unnoticed
 from glshim.model.lights import MaterialChange, Materials
 from glshim.outputs.gl.device.devices import Device, attach
 from glshim.outputs.gl.device.programs import Program, shader_text
+from glshim.outputs.gl.frame.all_around import AllAround
 from glshim.outputs.gl.frame.flood import Flood
 from glshim.outputs.gl.frame.paint import Paint
-from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_COLOR_WRITEMASK
+from glshim.spec.constants import (
+    GL_ALPHA_TEST,
+    GL_BLEND,
+    GL_COLOR_MATERIAL,
+    GL_COLOR_MATERIAL_PARAMETER,
+    GL_COLOR_WRITEMASK,
+    GL_DIFFUSE,
+)
 from glshim.styling.protocol import PAINTED, Colour
 
 
@@ -30,8 +38,19 @@ class _Draw(threading.local):
     enabled: Sequence[int] = ()
     """What flat colours turned off."""
     mask: tuple[int, ...] = (1, 1, 1, 1)
-    flood: Flood | None = None
+    flood: Flood | AllAround | None = None
     """What a paint whose materials change within the draw is seen by."""
+
+
+def _flood(materials: Materials) -> Flood | AllAround:
+    """What shows the changes of materials."""
+    if materials is Materials.SHADE or (
+        materials is Materials.VARY
+        and is_enabled(GL_COLOR_MATERIAL)
+        and integer(GL_COLOR_MATERIAL_PARAMETER) == GL_DIFFUSE
+    ):
+        return AllAround()
+    return Flood(mirrors=materials is Materials.SAID)
 
 
 class Cover:
@@ -61,7 +80,7 @@ class Cover:
         # Each step can be undone before it is made, and twice: a signal handler may raise between.
         if self._surface in PAINTED:
             if materials is not Materials.STAY:
-                self._draw.flood = Flood(mirrors=materials is Materials.SAID)
+                self._draw.flood = _flood(materials)
                 self._draw.covered = True
                 self._draw.flood.begin()
                 return
