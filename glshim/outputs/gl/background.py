@@ -9,7 +9,8 @@ from glshim.driver.functions import gl
 from glshim.driver.pixels import pack_plainly, transfer_plainly
 from glshim.model.boxes import Box, Unbacked
 from glshim.outputs.gl.device.guard import Guard, possible
-from glshim.outputs.gl.fixed import matrices_kept, plainest
+from glshim.outputs.gl.device.matrices import matrices_kept
+from glshim.outputs.gl.fixed import plainest
 from glshim.spec.constants import (
     GL_COLOR_ARRAY,
     GL_COLOR_BUFFER_BIT,

@@ -4,8 +4,7 @@ buffer object. Needs nothing past OpenGL 1.1, and keeps away from what a version
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -23,6 +22,7 @@ from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_the_apps_arrays_away
 from glshim.outputs.gl.device.guard import Guard, possible
+from glshim.outputs.gl.device.matrices import matrices_kept
 from glshim.outputs.gl.device.plain import plainly
 from glshim.outputs.gl.device.triangles import flagged_triangles
 from glshim.outputs.gl.frame.cameras import MOST_CLIP_PLANES, scissor, stencil
@@ -53,12 +53,10 @@ from glshim.spec.constants import (
     GL_LINE_STIPPLE,
     GL_MAX_TEXTURE_UNITS,
     GL_MODELVIEW,
-    GL_MODELVIEW_MATRIX,
     GL_ONE_MINUS_SRC_ALPHA,
     GL_POLYGON_OFFSET_FILL,
     GL_POLYGON_OFFSET_LINE,
     GL_PROJECTION,
-    GL_PROJECTION_MATRIX,
     GL_SCISSOR_TEST,
     GL_SMOOTH_LINE_WIDTH_RANGE,
     GL_SRC_ALPHA,
@@ -75,7 +73,6 @@ from glshim.spec.constants import (
 from glshim.styling.fixed import BackFaces
 from glshim.styling.values import Colour, in_order
 
-_MATRICES = ((GL_MODELVIEW, GL_MODELVIEW_MATRIX), (GL_PROJECTION, GL_PROJECTION_MATRIX))
 _TEXTURES = (
     GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE,
 )  # fmt: skip
@@ -197,22 +194,6 @@ def plainest() -> None:
     gl.glEnableClientState(GL_VERTEX_ARRAY)
     gl.glEnable(GL_CULL_FACE)
     gl.glEnable(GL_SCISSOR_TEST)
-
-
-@contextmanager
-def matrices_kept() -> Iterator[None]:
-    """Put both matrices back: they are in no attribute group, and their stacks may be full."""
-    kept = []
-    for mode, name in _MATRICES:
-        matrix = (ctypes.c_double * 16)()
-        gl.glGetDoublev(name, ctypes.addressof(matrix))
-        kept.append((mode, matrix))
-    try:
-        yield
-    finally:
-        for mode, matrix in kept:
-            gl.glMatrixMode(mode)
-            gl.glLoadMatrixd(ctypes.addressof(matrix))
 
 
 def _look_through(camera: Camera) -> None:

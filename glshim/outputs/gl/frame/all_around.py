@@ -14,7 +14,7 @@ from math import hypot
 from glshim.driver.ask import integer, is_enabled, of_light, reals
 from glshim.driver.functions import gl
 from glshim.model.lights import MaterialChange
-from glshim.outputs.gl.fixed import matrices_kept
+from glshim.outputs.gl.device.matrices import matrices_kept
 from glshim.spec.constants import (
     GL_AMBIENT,
     GL_DIFFUSE,
