@@ -51,6 +51,14 @@ class Lighting:
     both_sides: bool = False
     """GL_LIGHT_MODEL_TWO_SIDE: each side is lit by the normal that looks its way."""
 
+    @property
+    def tint(self) -> Shade:
+        """The colour of all light together, the brightest channel 1."""
+        shades = [shade for light in self.lights for shade in (light.diffuse, light.ambient)]
+        red, green, blue = (max(sum(of), 0.0) for of in zip(self.ambient, *shades, strict=True))
+        most = max(red, green, blue)
+        return (red / most, green / most, blue / most) if most > 0.0 else (1.0, 1.0, 1.0)
+
 
 class Materials(Enum):
     """What materials do during a draw."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import ClassVar
 
 from glshim.model.lights import Light
@@ -22,6 +23,7 @@ from ..shared.intersections import intersection_lines
 from ..shared.kinds import USUAL, FeatureLines, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
+    UNLIT,
     UPPER_LEFT,
     all_of,
     by_light,
@@ -35,6 +37,10 @@ from ..shared.strokes import inked
 _SHADER = screen_shader("cartoon", glsl(__file__, "cartoon.frag"), bent=NEAR_ENOUGH)
 
 
+_PLAINLY: Mapping[str, Uniform] = {
+    "shadow": UNLIT, "shadow_tint": (1.0, 1.0, 1.0), "saturation": 1.0,
+}  # fmt: skip
+"""What is drawn without any light keeps its colours."""
 _OLD_WIDTH = Renamed(
     ("ridge_width", "valley_width", "intersection_width"),
     off=("ridges", "valleys", "intersections"),
@@ -107,7 +113,8 @@ class Cartoon(FeatureLines):
                 yield from self._shaded(some.bodies, some.lights, some.both_sides)
         else:
             yield from self._shaded(all_of(lit), head)
-        yield from self._shaded(unlit, head)
+        plainly = _PLAINLY if self.shade_unlit == "auto" else {}
+        yield from self._shaded(unlit, head, look=plainly)
         yield from inked(
             layer, self.features(self.crease_angle, tolerance=self.tolerance), self.looks(),
             texture_length=self.texture_length,
@@ -118,9 +125,10 @@ class Cartoon(FeatureLines):
         return 1.0 if kind in ("contour", "boundary") else self.inner
 
     def _shaded(
-        self, found: tuple[Body, ...], lights: tuple[Light, ...], both_sides: bool = True
+        self, found: tuple[Body, ...], lights: tuple[Light, ...], both_sides: bool = True,
+        look: Mapping[str, Uniform] = MappingProxyType({}),
     ) -> Iterable[Pass]:
-        look: dict[str, Uniform] = {
+        usual: dict[str, Uniform] = {
             "bands": float(self.bands), "exposure": self.exposure, "shadow": self.shadow,
             "shadow_tint": self.shadow_tint, "highlight": self.highlight, "gloss": self.gloss,
             "rim": self.rim, "saturation": self.saturation,
@@ -128,6 +136,6 @@ class Cartoon(FeatureLines):
         }  # fmt: skip
         for lens in lenses(found):
             yield from lit_passes(
-                _SHADER, lens, look | lamp_uniforms(lights, lens), self.tolerance,
+                _SHADER, lens, {**usual, **look, **lamp_uniforms(lights, lens)}, self.tolerance,
                 both_sides=both_sides,
             )  # fmt: skip

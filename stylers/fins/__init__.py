@@ -33,7 +33,7 @@ from ..shared.kinds import (
     Valleys,
     former_names,
 )
-from ..shared.shading import by_light
+from ..shared.shading import UNLIT, by_light
 from ..shared.strokes import inked, only
 from .lighting import Lighting, relit
 
@@ -139,7 +139,9 @@ class Fins(Intersections, Valleys, Ridges, Boundaries, Contours):
             for some in lit:
                 light = some.lights[0].position if some.lights else layer.light
                 yield from relit(some.bodies, light, look, self.tolerance)
-            yield from relit(unlit, layer.light, look, self.tolerance)
+            plainly = self.fill == "cel" and self.paint == "app"
+            ambient = {"ambient": UNLIT} if plainly else {}
+            yield from relit(unlit, layer.light, look, self.tolerance, **ambient)
         looks = self.looks()
         creases = {kind: look for kind, look in looks.items() if kind in ("ridge", "valley")}
         if creases:

@@ -15,6 +15,7 @@ from glshim.styling.values import Body, Colour, Place, Uniform
 
 from ..shared.shading import lenses, lit_passes, screen_shader
 
+_AMBIENT = 0.35
 SURFACE = screen_shader(
     "fins surface", glsl(__file__, "surface.frag"), lamps=False
 )
@@ -33,10 +34,12 @@ class Lighting:
 
 
 def relit(
-    found: tuple[Body, ...], light: Place, look: Lighting, tolerance: float
+    found: tuple[Body, ...], light: Place, look: Lighting, tolerance: float,
+    ambient: float = _AMBIENT,
 ) -> Iterator[Pass]:
     """For bodies that are seen through one lens after the other, the G-buffer and the light on
-    it. light: in eye space, homogeneous; tolerance: object units at which corners are one."""
+    it. light: in eye space, homogeneous; tolerance: object units at which corners are one;
+    ambient: brightness where no light falls."""
     paint = (0.0, 0.0, 0.0, 0.0) if isinstance(look.paint, str) else (*look.paint, 1.0)
     for lens in lenses(found):
         first = lens[0].camera
@@ -44,5 +47,6 @@ def relit(
         uniforms: dict[str, Uniform] = {
             "lamp": light if whole else (0.0, 0.0, 0.0, 0.0),
             "paint": paint, "shine": look.shine, "bands": float(look.bands),
+            "ambient": ambient,
         }  # fmt: skip
         yield from lit_passes(SURFACE, lens, uniforms, tolerance)

@@ -7,8 +7,8 @@ uniform vec4 lamp;   // eye space, homogeneous; zero: the viewer's own
 uniform vec4 paint;  // alpha 0: the app's
 uniform float shine;
 uniform float bands; // 0: none
+uniform float ambient;
 
-const float AMBIENT = 0.35;
 const float HEADLIGHT = 0.3;  // of what the light leaves dark
 const float GLOSS = 40.0;
 const float PALED = 0.6;      // power of the app's brightness: less of its own shading is left
@@ -40,6 +40,6 @@ void main() {
         gleam = smoothstep(-0.5, 0.5, (gleam - 0.5) / max(fwidth(gleam), 1e-4));
     }
     if (!p.own) discard;
-    float shade = AMBIENT + (1.0 - AMBIENT) * bright;
+    float shade = ambient + (1.0 - ambient) * bright;
     colour = vec4(in_fog(min(base * shade + shine * gleam, 1.0), p.clear), 1.0);
 }

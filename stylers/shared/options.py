@@ -84,7 +84,7 @@ def shade_unlit() -> Any:
     return option(
         "auto",
         help="shading of surfaces that the program draws without lights: a light behind the viewer "
-        "(head), none (off), or head where the program lights nothing and uses no textures (auto)",
+        "(head), none (off), or a little of head where the program lights nothing (auto)",
         choices=("auto", "off", "head"),
     )
 

@@ -23,10 +23,11 @@ from ..shared.intersections import intersection_lines, is_dense
 from ..shared.kinds import USUAL, FeatureLines, Look, former_names
 from ..shared.shading import (
     NEAR_ENOUGH,
+    UNLIT,
     UPPER_LEFT,
     Lit,
-    all_of,
     by_light,
+    by_tint,
     lamp_uniforms,
     lenses,
     lit_passes,
@@ -115,21 +116,35 @@ class Technical(FeatureLines):
             "paint": paint, "blue": self.blue, "yellow": self.yellow, "alpha": self.alpha,
             "beta": self.beta, "hue": self.hue, "highlight": self.highlight, "gloss": self.gloss,
         }  # fmt: skip
-        groups = [Lit((UPPER_LEFT,), all_of(lit) + unlit)]
-        if self.light == "app":
-            groups = [*lit, Lit(layer.lighting.lights if layer.lighting else (), unlit)]
-        for some in groups:
-            for lens in lenses(some.bodies):
-                lamps = lamp_uniforms(some.lights[:1] or (UPPER_LEFT,), lens)
-                yield from lit_passes(
-                    _SHADER, lens, look | lamps, self.tolerance, both_sides=some.both_sides,
-                    paper=paper_of(layer, self.paper),
-                )  # fmt: skip
+        app = layer.lighting.lights if self.light == "app" and layer.lighting else ()
+        for some in lit if self.light == "app" else by_tint(lit):
+            yield from self._toned(layer, some, look | {"tint": some.tint})
+        plainly = self._plainly() if self.shade_unlit == "auto" else {}
+        yield from self._toned(layer, Lit(app, unlit), look | {"tint": _WHITE} | plainly)
         yield from tone_passes("app", self.paper, self.ink, layer)
         yield from self._fine_lines(layer)
         looks = self.looks().items()
         yield from self._inked(layer, {kind: look for kind, look in looks if kind in _OUTLINES})
         yield from intersection_lines(self, self.intersections, layer)
+
+    def _toned(
+        self, layer: Layer, some: Lit, look: Mapping[str, Uniform]
+    ) -> Iterable[Pass]:
+        for lens in lenses(some.bodies):
+            lamps = lamp_uniforms(some.lights[:1] or (UPPER_LEFT,), lens)
+            yield from lit_passes(
+                _SHADER, lens, {**look, **lamps}, self.tolerance, both_sides=some.both_sides,
+                paper=paper_of(layer, self.paper),
+            )  # fmt: skip
+
+    def _plainly(self) -> dict[str, Uniform]:
+        """The tones of a program without lights: its colours, and a little of the paper's form; as
+        much of them as of hues."""
+        paper, own = 1.0 - self.hue, self.hue
+        return {
+            "blue": paper * self.blue, "yellow": paper * self.yellow,
+            "alpha": paper * self.alpha + own * UNLIT, "beta": paper * self.beta + own,
+        }  # fmt: skip
 
     def share(self, kind: str) -> float:
         return 1.0 if kind in _OUTLINES else self.inner

@@ -5,6 +5,7 @@
 //         tones that keep hues: glshim/model/lights.py.
 
 uniform vec4 paint;        // alpha 0: the app's
+uniform vec3 tint;         // of the app's light, for its paint
 uniform float blue, yellow, alpha, beta;
 uniform float hue;         // share of the surface's own hue that is kept; 0: the paper's tones
 uniform float highlight;   // brightness of highlights
@@ -17,7 +18,7 @@ const float DARK = 0.2;          // colours darker than that count as greyer tha
 void main() {
     Pixel p = this_pixel();
     Falling f = falling(lamps - 1, p);  // drivers shorten arrays that constants alone index
-    vec3 base = paint.a > 0.0 ? paint.rgb : p.shown;
+    vec3 base = paint.a > 0.0 ? paint.rgb : p.shown * tint;
     float most = max(max(base.r, base.g), base.b), least = min(min(base.r, base.g), base.b);
     float strong = (most - least) / max(most, DARK);
     vec3 own = base / max(most, 1e-3);

@@ -144,3 +144,19 @@ FLOORS = {
 def floor(way):
     shade, how = FLOORS[way]
     floor_of(shade, **how)
+
+
+def without_light():
+    """Strong colours and grey: a program that lights nothing."""
+    look((0.0, 2.0, 7.0), sky=(0.5, 0.5, 0.5))
+    for k, shade in enumerate(((1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.5, 0.5, 0.5))):
+        glColor3f(*shade)
+        box((2.4 * k - 2.4, 0.0, 0.0), 0.8)
+
+
+def under_a_yellow_lamp():
+    """A white box, which is yellow there."""
+    look((0.0, 2.0, 7.0), sky=(0.5, 0.5, 0.5))
+    light((1.0, 2.0, 4.0, 0.0), colour=(1.0, 1.0, 0.0))
+    material((1.0, 1.0, 1.0, 1.0))
+    box((0.0, 0.0, 0.0), 1.5)

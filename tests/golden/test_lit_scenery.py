@@ -90,3 +90,21 @@ def test_what_shows_the_materials_of_lists_is_put_back() -> None:
     shown(scene)
     shown(scene, "cartoon")
     assert seen[0] == seen[1]
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical", "poster"])
+def test_colours_without_light_stay_as_they_are(style: str) -> None:
+    plain, found = (shown(lit_scenery.without_light, each) for each in ("", style))
+    for x in (105, 200, 295):
+        face = np.s_[130:150, x - 10 : x + 10]
+        seen, meant = found[face].mean(axis=(0, 1)), plain[face].mean(axis=(0, 1))
+        assert (seen >= 0.8 * meant - 2).all()
+        assert np.ptp(seen / seen.max() - meant / meant.max()) < 0.03
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical"])
+def test_colours_are_those_of_the_lamps(style: str) -> None:
+    """Textures, too: a style's white light would turn yellow to white."""
+    red, green, blue = shown(lit_scenery.under_a_yellow_lamp, style)[130, 200]
+    assert abs(red - green) < 0.1 * red
+    assert blue < 0.5 * red

@@ -38,6 +38,9 @@ _OVER_ALL = State(depth="always", blend="off")
 NEAR_ENOUGH = 16.0
 """Pixels for `screen_shader` over paint: where a large quad is bent, light is missed as a hole, and
 what an app lays on a surface may well be lit with it."""
+UNLIT = 0.85
+"""Brightness of the darkest tone of what an app draws in plain colours, without any light: they are
+meant as they are."""
 UPPER_LEFT = Light((-0.45, 0.65, 0.9, 0.0))
 """A light behind the viewer's left shoulder: it goes where the viewer goes."""
 
@@ -130,6 +133,8 @@ class Lit(NamedTuple):
     bodies: tuple[Body, ...]
     both_sides: bool = True
     """GL_LIGHT_MODEL_TWO_SIDE; else the app lights the side that a normal looks to."""
+    tint: Colour = (1.0, 1.0, 1.0)
+    """Of the light."""
 
 
 def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...]]:
@@ -145,7 +150,7 @@ def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...
                 lighting = next(reversed(lit))
             lit.setdefault(lighting, []).append(item)
     found = [
-        Lit(one.lights, _alike(layer, items), one.both_sides)
+        Lit(one.lights, _alike(layer, items), one.both_sides, one.tint)
         for one, items in ((each or Lighting(), items) for each, items in lit.items())
     ]
     if shade_unlit == "off" or (shade_unlit == "auto" and layer.lighting is not None):
@@ -153,6 +158,15 @@ def by_light(layer: Layer, shade_unlit: str) -> tuple[list[Lit], tuple[Body, ...
     plain = shade_unlit != "auto"
     unlit = [item for item in layer.items if not item[1].lit and (plain or not item[1].textured)]
     return found, _alike(layer, unlit)
+
+
+def by_tint(lit: Iterable[Lit]) -> Iterator[Lit]:
+    """The same, for a style with a light of its own: by the colour of the app's alone."""
+    alike: dict[Colour, tuple[Body, ...]] = {}
+    for some in lit:
+        alike[some.tint] = alike.get(some.tint, ()) + some.bodies
+    for tint, bodies in alike.items():
+        yield Lit((UPPER_LEFT,), bodies, tint=tint)
 
 
 def all_of(lit: Iterable[Lit]) -> tuple[Body, ...]:
