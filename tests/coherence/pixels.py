@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.coherence.carry import Motion
+from tests.coherence.carry import NEAR, Motion
 
 INK = 28.0
 """Levels by which a pixel of lines differs from what they are drawn on."""
 REACH = 3
 """Pixels about the place that a line was carried to, in which it is looked for."""
+OUTLINE = 5
+"""Pixels beside a surface that its outline may take."""
 _AROUND = ((0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1))
 FAR = 6
 """Pixels in which a pattern is looked for; one that is found nowhere counts as so far away."""
@@ -82,15 +84,39 @@ def lost(lines: np.ndarray, then: np.ndarray, motion: Motion, depth: np.ndarray)
     return int((told & missed).sum()), int(told.sum())
 
 
-def flicker(picture: np.ndarray, then: np.ndarray, motion: Motion) -> float:
+def flicker(
+    pictures: tuple[np.ndarray, np.ndarray], motion: Motion, depths: tuple[np.ndarray, np.ndarray]
+) -> float:
     """Levels by which the pixels of surfaces differ from all nine where they have been carried to:
-    pictures (H, W, 3)."""
-    at = np.nonzero(motion.seen)
-    x, y = (motion.there[at][:, k].astype(int) for k in (0, 1))
-    around = np.stack([then[y + j, x + i] for i in (-1, 0, 1) for j in (-1, 0, 1)]).astype(float)
-    own = picture[at].astype(float)
-    off = np.maximum(own - around.max(axis=0), around.min(axis=0) - own).max(axis=1)
-    return float(np.maximum(off, 0.0).mean()) if len(off) else 0.0
+    of pictures (H, W, 3) and depths (H, W) of a frame and another one.
+
+    Next to a nearer surface lies its outline, which goes with that: a pixel there may be carried
+    with either; one that is not there before, but then, is not told.
+    """
+    picture, then = pictures
+    (front, beside), (_, beside_then) = (_front(depth) for depth in depths)
+    height, width = motion.seen.shape
+    row, column = np.indices(motion.seen.shape)
+    off = np.full(motion.seen.shape, np.inf)
+    for at in ((row, column), front):
+        step = np.nan_to_num(motion.there[at] - np.stack((at[1], at[0]), axis=2) - 0.5)
+        x, y = (np.floor(own + step[..., k] + 0.5).astype(int)
+                for k, own in ((0, column), (1, row)))  # fmt: skip
+        told = motion.seen[at] & (x > 0) & (y > 0) & (x < width - 1) & (y < height - 1)
+        x, y = np.where(told, x, 1), np.where(told, y, 1)
+        told &= beside | ~beside_then[y, x]
+        around = np.stack([then[y + j, x + i] for i in (-1, 0, 1) for j in (-1, 0, 1)])
+        least, most = around.min(axis=0).astype(float), around.max(axis=0).astype(float)
+        away = np.maximum(picture - most, least - picture).max(axis=2)
+        off = np.where(told, np.minimum(off, np.maximum(away, 0.0)), off)
+    return float(off[np.isfinite(off)].mean()) if np.isfinite(off).any() else 0.0
+
+
+def _front(depth: np.ndarray) -> tuple[tuple[np.ndarray, np.ndarray], np.ndarray]:
+    """The rows and columns of the nearest surface about each pixel, and (H, W) whether that is
+    another one, before the pixel's own."""
+    at = foremost(depth, OUTLINE)
+    return at, depth[at] < depth - NEAR * (1.0 - depth) * OUTLINE - 1e-6
 
 
 @dataclass

@@ -34,14 +34,14 @@ def pair(request, carrier):
     """Two frames of a motion: pictures, depths, and where the first one's pixels go."""
     one, other = (MOTIONS[request.param](FRAMES, k) for k in (0, 1))
     (a, near), (b, depth) = shown(one), shown(other)
-    return a, b, near, carrier.motion(one, other, depth), request.param
+    return a, b, (near, depth), carrier.motion(one, other, depth), request.param
 
 
 def test_paint_on_surfaces_is_carried_along(pair):
-    a, b, _, motion, name = pair
+    a, b, depths, motion, name = pair
     assert motion.seen.mean() > 0.3
-    assert pixels.flicker(a, b, motion) < 0.3
-    assert pixels.flicker(a, np.roll(b, 9, (0, 1)), motion) > 1.0, name
+    assert pixels.flicker((a, b), motion, depths) < 0.3
+    assert pixels.flicker((a, np.roll(b, 9, (0, 1))), motion, depths) > 1.0, name
 
 
 def test_a_pattern_on_the_screen_drifts_as_far_as_surfaces_move(pair):
@@ -60,7 +60,7 @@ def test_a_pattern_on_the_screen_drifts_as_far_as_surfaces_move(pair):
 
 
 def test_a_line_that_goes_is_told_and_one_that_is_carried_is_not(pair):
-    _, _, near, motion, _ = pair
+    _, _, (near, _), motion, _ = pair
     lines = np.zeros((HEIGHT, WIDTH), np.bool_)
     lines[HEIGHT // 2 : HEIGHT // 2 + 2, 100:300] = True
     then = np.zeros_like(lines)
