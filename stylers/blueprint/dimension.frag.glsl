@@ -1,5 +1,5 @@
-// What:   a dimension: two thin lines out from the ends of an edge, one between them with arrowheads,
-//         and the edge's length.
+// What:   a dimension: two thin lines out from the ends of an edge, one between them with
+//         arrowheads, and the edge's length.
 // Inputs: dimension.glsl; characters 0 to 9 and the point, side by side.
 // Source: NPRQuake's blueprint; drawn as drawings have it (ISO 129).
 

@@ -1,4 +1,5 @@
-// What:   where a dimension is drawn: along and out from the line that it measures. For both stages.
+// What:   where a dimension is drawn: along and out from the line that it measures. For both
+//         stages.
 // Source: NPRQuake's blueprint: dimension arrows here and there.
 
 PASSED vec2 dimension;   // the line's length in eye space; characters of its number
@@ -9,4 +10,6 @@ PASSED vec2 dimension;   // the line's length in eye space; characters of its nu
 const float MOST = 99999.0; // units that are written
 
 // Digits after the point: three that count, in all.
-float decimals(float length) { return clamp(2.0 - floor(log(length) / log(10.0) + 1e-4), 0.0, 3.0); }
+float decimals(float length) {
+    return clamp(2.0 - floor(log(length) / log(10.0) + 1e-4), 0.0, 3.0);
+}

@@ -10,13 +10,15 @@ const int MARK = 16;      // GROUP of glshim/model/lines.py
 
 // Depth where the dimension goes: u, v in 0..1 along the line and out from it.
 float depth_at(float u, float v) {
-    vec2 place = line_a.xy + u * span * along + mix(4.0 * shot.z, OFF + HIGH + 4.0 * shot.z, v) * out_1;
+    float out_to = mix(4.0 * shot.z, OFF + HIGH + 4.0 * shot.z, v);
+    vec2 place = line_a.xy + u * span * along + out_to * out_1;
     return finished(floor(place) + 0.5);
 }
 
 // Whether no line can be there: it is all background, or one flat surface.
 bool is_free() {
-    float corner = depth_at(0.0, 0.0), to_b = depth_at(1.0, 0.0) - corner, out_by = depth_at(0.0, 1.0) - corner;
+    float corner = depth_at(0.0, 0.0);
+    float to_b = depth_at(1.0, 0.0) - corner, out_by = depth_at(0.0, 1.0) - corner;
     bool bare = corner >= max(away, 0.0);
     float most = bare ? 0.0 : 8.0 * hair + 0.02 * (abs(to_b) + abs(out_by));
     for (float u = 0.0; u < 1.01; u += 0.125)

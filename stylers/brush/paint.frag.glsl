@@ -1,9 +1,10 @@
 // What:   the program's picture painted over in dabs of a brush, each of one of its colours.
 // Inputs: tone.glsl, held.glsl; the app's finished picture and depth.
 // Source: P. Haeberli, "Paint by Numbers: Abstract Image Representations", SIGGRAPH 1990: dabs on a
-//         jittered grid, here of the object; B. Meier, "Painterly Rendering for Animation", SIGGRAPH
-//         1996: dabs on surfaces, large ones first, light and dark varied a little; P. Litwinowicz, "Processing Images and Video for an
-//         Impressionist Effect", SIGGRAPH 1997: along contours of brightness, clipped at edges.
+//         jittered grid, here of the object; B. Meier, "Painterly Rendering for Animation",
+//         SIGGRAPH 1996: dabs on surfaces, large ones first, light and dark varied a little; P.
+//         Litwinowicz, "Processing Images and Video for an Impressionist Effect", SIGGRAPH 1997:
+//         along contours of brightness, clipped at edges.
 
 uniform float tint;      // how much of the paper the paint covers
 uniform float dab;       // pixels of a dab's length
@@ -13,7 +14,8 @@ const float SIZE = 1.3;   // of the smaller dabs, at most
 const float SPILL = 2.5;  // pixels of the window by which paint runs over outlines
 
 vec4 chances(vec3 cell) {
-    vec4 p = fract(mod(cell, 1024.0).xyzx * vec4(0.1031, 0.1030, 0.0973, 0.1099) + 0.0717 * dab_seed);
+    const vec4 PRIMES = vec4(0.1031, 0.1030, 0.0973, 0.1099);
+    vec4 p = fract(mod(cell, 1024.0).xyzx * PRIMES + 0.0717 * dab_seed);
     p += dot(p, p.wzxy + 33.33);
     return fract((p.xxyz + p.yzzw) * p.zywx);
 }
@@ -31,7 +33,8 @@ About about(vec2 at) {
     vec3 right = gained(at, vec2(1.0, 0.0), h), up = gained(at, vec2(0.0, 1.0), h);
     vec3 n = cross(right, up);
     float a = dot(right, right), b = dot(right, up), c = dot(up, up);
-    return About(h, right, up, n / max(length(n), 1e-30), vec3(c, -b, a) / max(a * c - b * b, 1e-4 * max(a * a, c * c)));
+    vec3 inverse = vec3(c, -b, a) / max(a * c - b * b, 1e-4 * max(a * a, c * c));
+    return About(h, right, up, n / max(length(n), 1e-30), inverse);
 }
 
 // Which way a dab lies: across the slope of brightness about it; where there is none, up the right.
@@ -46,12 +49,13 @@ vec2 lie(vec2 place, float here, float reach, float turn) {
     return vec2(c * way.x - s * way.y, s * way.x + c * way.y);
 }
 
-// Lays the dabs of one size over what is painted: premultiplied. A dab is what the surface cuts out of
-// a ball about a place in one of the object's cells. edge: what is shown there, or nearly there; dabs of
-// quite another colour stop. size: units of the object; pixel: units in one; there: 0..1, how many of
-// them are there; rows: 2 of cells; 0: none (drivers in software leave loops early, but walk through
-// every branch).
-vec4 dabbed(vec4 under, vec2 at, About a, vec3 edge, float size, float pixel, float there, float rows) {
+// Lays the dabs of one size over what is painted: premultiplied. A dab is what the surface cuts out
+// of a ball about a place in one of the object's cells. edge: what is shown there, or nearly there;
+// dabs of quite another colour stop. size: units of the object; pixel: units in one; there: 0..1,
+// how many of them are there; rows: 2 of cells; 0: none (drivers in software leave loops early, but
+// walk through every branch).
+vec4 dabbed(vec4 under, vec2 at, About a, vec3 edge,
+            float size, float pixel, float there, float rows) {
     float apart = 0.78 * size;  // no dab reaches beyond the eight cells about a pixel
     vec3 home = floor(a.held.place / apart - 0.5);
     float number = log2(size);
@@ -73,7 +77,8 @@ vec4 dabbed(vec4 under, vec2 at, About a, vec3 edge, float size, float pixel, fl
             vec3 pigment = shown(spot);
             float turn = fract(7.0 * chance.w);
             vec2 way = lie(spot, brightness(pigment), 0.3 * size / pixel, 0.9 * (turn - 0.5));
-            vec3 forward = normalize(way.x * a.right + way.y * a.up), aside = cross(a.normal, forward);
+            vec3 forward = normalize(way.x * a.right + way.y * a.up);
+            vec3 aside = cross(a.normal, forward);
             vec3 place = vec3(dot(off, forward), 1.7 * dot(off, aside), 1.2 * high) / reach;
             // The hairs: streaks along the dab, which end raggedly.
             float hair = grain(vec2(6.0 * place.x, 16.0 * place.y) + 211.0 * chance.xy, 1.0).r;
@@ -96,7 +101,8 @@ void main() {
     bool near = within;
     for (int k = 0; k < (near ? 0 : 8); ++k) {
         float turn = 0.7854 * float(k);
-        near = near || surface(at + shot.z * SPILL * (0.4 + grain(spot, 2.0).g) * vec2(cos(turn), sin(turn)));
+        float reach = shot.z * SPILL * (0.4 + grain(spot, 2.0).g);
+        near = near || surface(at + reach * vec2(cos(turn), sin(turn)));
     }
     About a = about(at);
     vec2 beside = at + 5.0 * shot.z * (cloud(a.held, 1.0).gb - 0.5);
@@ -104,7 +110,8 @@ void main() {
     if (within) paint = vec4(shown(at), 1.0) * 0.97;
     float rows = near && tint > 0.0 ? 2.0 : 0.0;
     // Of sizes that double two are there at a time, so that dabs on the screen keep theirs.
-    float pixel = exp2(a.held.level), level = log2(SIZE * dab * pixel), fine = floor(level), part = level - fine;
+    float pixel = exp2(a.held.level), level = log2(SIZE * dab * pixel);
+    float fine = floor(level), part = level - fine;
     paint = dabbed(paint, at, a, edge, exp2(fine + 1.0), pixel, smoothstep(0.0, 0.6, part), rows);
     paint = dabbed(paint, at, a, edge, exp2(fine), pixel, 1.0 - smoothstep(0.4, 1.0, part), rows);
     // As thick paint is: a little purer than the program's.

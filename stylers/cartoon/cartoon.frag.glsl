@@ -1,5 +1,6 @@
 // What:   flat bands of light over the app's paints, as on a cel: highlights and rims too.
-// Inputs: pixel.glsl, lamps.glsl (stylers/shared/shading): the app's picture holds its paints, unlit.
+// Inputs: pixel.glsl, lamps.glsl (stylers/shared/shading): the app's picture holds its paints,
+//         unlit.
 // Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
 //         2000, section 3; rims: P. Barla et al., "X-Toon", NPAR 2006, section 3.2 (a tone that
 //         depends on n . v). Numpy reference of the bands: glshim/model/lights.py.
@@ -36,8 +37,8 @@ float banded(float light, bool crisp) {
     return min(stepped(bands * level, blur), bands - 1.0) / (bands - 1.0);
 }
 
-// The colour of the light: bands are of its brightness alone, so that under lamps of several colours
-// none has patches of its own; half of it is that of all lamps together.
+// The colour of the light: bands are of its brightness alone, so that under lamps of several
+// colours none has patches of its own; half of it is that of all lamps together.
 vec3 hue(vec3 light) {
     vec3 all = vec3(0.0);
     for (int k = 0; k < lamps; ++k) all += lamp_shade[k];

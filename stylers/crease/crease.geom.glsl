@@ -1,8 +1,8 @@
-// What:   the halves of creases, each in the plane of its triangle; and where a crease is a contour,
-//         or has one triangle only, the half beyond it, in the plane of the screen.
+// What:   the halves of creases, each in the plane of its triangle; and where a crease is a
+//         contour, or has one triangle only, the half beyond it, in the plane of the screen.
 // Inputs: quads.glsl; which sides are creases (mesh.glsl), or the verifiers.
-// Source: Hajagos et al. 2012, sections 4 and 4.2. The half beyond contours is ours: section 6 leaves
-//         creases on contours half as wide.
+// Source: Hajagos et al. 2012, sections 4 and 4.2. The half beyond contours is ours: section 6
+//         leaves creases on contours half as wide.
 
 layout(triangle_strip, max_vertices = 24) out;
 
@@ -77,7 +77,8 @@ void main() {
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
         if (!crease) continue;
         bool contour = open || (front && !is_front(flags, a, across, b));
-        int own = open ? OPEN : contour && parted == 1 ? OUTER : is_ridge(a, b, c, across) ? OUT : IN;
+        int own = open ? OPEN : contour && parted == 1 ? OUTER
+                : is_ridge(a, b, c, across) ? OUT : IN;
         if ((kinds & own) == 0) continue;
         emit(a, b, c, across, contour, open ? RING + 16 * (BOUNDARY - 3) : contour ? RING : RIDGE);
     }

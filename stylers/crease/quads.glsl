@@ -1,7 +1,7 @@
-// What:   quads along lines on the screen, cut at their ends along the bisectors that they share with
-//         the lines before and after. Of both geometry shaders of the style.
-// Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the next
-//         one, or that corner again where nothing is. stroke.glsl.
+// What:   quads along lines on the screen, cut at their ends along the bisectors that they share
+//         with the lines before and after. Of both geometry shaders of the style.
+// Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the
+//         next one, or that corner again where nothing is. stroke.glsl.
 // Source: Hajagos et al. 2012, sections 4.2 and 4.3, done on the screen so that the width is exact;
 //         numpy reference: glshim/geometry/references/crease_quads.py.
 
@@ -18,7 +18,7 @@ uniform int apart;             // 1: short lines have a shader of their own (SHO
 
 noperspective out vec3 spot;   // pixels along and away from the line (out is positive), own depth
 #ifdef SHORT_LINES
-flat out vec3 edge;            // its length, depth of a pixel, 1 where the quad lies on its triangle
+flat out vec3 edge;            // its length, depth of a pixel, 1 where it lies on its triangle
 #else
 flat out int on_surface;       // whether the quad lies on its triangle
 #endif
@@ -31,8 +31,8 @@ const float JOINT = 0.05;      // pixels by which quads overlap against rounding
 const float HAIRPIN = 1e-4;    // 1 + cosine of a turn that no bisector serves, on the inner side
 const float SHARPEST = 0.125;  // the same on the outer side: bisectors up to four widths long
 
-// Whether a triangle turns its outside to the viewer; one that is seen edge-on does not. Flags: those
-// of a triangle of its component.
+// Whether a triangle turns its outside to the viewer; one that is seen edge-on does not. Flags:
+// those of a triangle of its component.
 bool is_front(int flags, int i, int j, int k) {
     vec3 a = place[i], b = place[j], c = place[k];
     bool even = put_in_order(a, b, c) == ((flags & 128) != 0);

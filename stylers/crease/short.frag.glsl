@@ -8,7 +8,7 @@ uniform float bias;     // pixels' worth of depth by which a line may lie behind
 uniform float fade;     // the same over which it fades away beyond that
 
 noperspective in vec3 spot;
-flat in vec3 edge;      // its length, depth of a pixel at 45 degrees, 1 where it lies on its triangle
+flat in vec3 edge;      // its length, depth of a pixel at 45 degrees, 1 if it lies on its triangle
 
 const float LEAN = 1.5;  // pixels' worth of depth by which a surface may rise in each pixel
 

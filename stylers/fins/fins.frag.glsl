@@ -36,7 +36,8 @@ void main() {
     alpha *= drawn.a > 0.0 ? 1.0 : 0.0;
     if (alpha <= 0.0) discard;
     // Of five places about this one (`seen`) none lies beyond an end: caps are as their fin is.
-    if (spine == 1 ? !seen(clamp(on, min(2.0, 0.5 * span), max(span - 2.0, 0.5 * span))) : finished(gl_FragCoord.xy) < reach.z - hair)
+    float inside = clamp(on, min(2.0, 0.5 * span), max(span - 2.0, 0.5 * span));
+    if (spine == 1 ? !seen(inside) : finished(gl_FragCoord.xy) < reach.z - hair)
         discard;
     colour = alpha * drawn;
 }

@@ -1,7 +1,7 @@
 // What:   a fin, a quad along an edge between a front and a back face, or along an open edge.
 // Inputs: triangles with adjacency, corners 0, 2, 4; across the side that begins at a corner the
-//         next one, or that corner again where nothing is. Or one side (LINES): the third corner, both
-//         ends, the vertex across. stroke.glsl.
+//         next one, or that corner again where nothing is. Or one side (LINES): the third corner,
+//         both ends, the vertex across. stroke.glsl.
 // Source: Rideout 2010, "Basic Fins", "The Spine Test", "Mind the Gap!". His facing test is the z
 //         of a cross product on the screen; here it is taken before projection, so that what lies
 //         behind the viewer counts right.
@@ -26,7 +26,7 @@ uniform int apart;         // 1: short fins have a shader of their own (SHORT_FI
 #ifdef SHORT_FINS
 flat out float edge;            // its length, pixels
 #endif
-noperspective out vec3 reach;   // pixels along the edge from a, and away from it; depth of the spine
+noperspective out vec3 reach;   // pixels along the edge from a, and off it; depth of the spine
 
 const float SHARP = -0.8660254;  // cosine of 150 degrees between the faces
 const float SHORT = 4.0;         // pixels: `seen` asks no further. One answer holds for all of

@@ -15,7 +15,7 @@ out float fade;
 out vec4 ground;        // clip space, of the root
 out vec2 nearest;       // clip space z and w of what may hide the root and is still the object
 out vec2 inward;        // pixels, towards the object
-out vec3 lit;           // Lambert's term, wrapped; Kajiya & Kay's sheen; whether the root faces away
+out vec3 lit;           // Lambert's term, wrapped; Kajiya & Kay's sheen; if the root faces away
 
 // The normal out of the object; out of a sheet, to the viewer.
 vec3 out_of(int v, vec3 place) {

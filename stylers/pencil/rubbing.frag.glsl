@@ -1,7 +1,8 @@
 // What:   graphite or crayon rubbed into paper, by how dark the program's picture is.
 // Inputs: tone.glsl, held.glsl.
-// Source: M. C. Sousa, J. W. Buchanan, "Observational Models of Graphite Pencil Materials", Computer
-//         Graphics Forum 2000: the tooth of the paper holds graphite, a blender rubs it between.
+// Source: M. C. Sousa, J. W. Buchanan, "Observational Models of Graphite Pencil Materials",
+//         Computer Graphics Forum 2000: the tooth of the paper holds graphite, a blender rubs it
+//         between.
 
 uniform float strength;  // of the tone
 uniform float coloured;  // share of the program's own colours
@@ -23,7 +24,8 @@ void main() {
     float dark = 1.0 - smoothstep(0.0, 0.85, brightness(seen));
     // The side of the lead goes over the tooth, all one way.
     float sweep = cloud(drawn_out(h, 8.0), 1.0).g - 0.5;
-    float grains = 0.3 * grain(spot).r + 0.3 * tooth(h, 0.6).r + 0.25 * tooth(drawn_out(h, 3.2), 0.6).r + 0.15;
+    float grains = 0.3 * grain(spot).r + 0.3 * tooth(h, 0.6).r
+                 + 0.25 * tooth(drawn_out(h, 3.2), 0.6).r + 0.15;
     vec3 hue = clamp(mix(vec3(brightness(seen / value)), seen / value, 1.25), 0.0, 1.0);
     float pure = 1.0 - min(min(hue.r, hue.g), hue.b);
     float press = strength * mix(dark, max(dark, 0.75 * pure + 0.5 * dark), coloured);

@@ -3,8 +3,8 @@
 // Source: McGuire & Hughes 2004, section 7 and figure 1c.
 //
 // In a closed component the triangles before the light cast the shadow, so that each contour edge
-// has one quad. In an open one each triangle casts, turned towards the light: a contour edge has two
-// quads, an edge with one triangle has one.
+// has one quad. In an open one each triangle casts, turned towards the light: a contour edge has
+// two quads, an edge with one triangle has one.
 
 void main() {
     gl_Position = NOWHERE;

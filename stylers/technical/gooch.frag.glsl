@@ -1,8 +1,8 @@
 // What:   tones from cool to warm by the way that a surface faces the light.
 // Inputs: pixel.glsl, lamps.glsl (stylers/shared/shading), of which there is one.
 // Source: A. Gooch, B. Gooch, P. Shirley, E. Cohen, "A Non-Photorealistic Lighting Model for
-//         Automatic Technical Illustration", SIGGRAPH 1998, equations 1 to 4. Numpy reference, also of
-//         tones that keep hues: glshim/model/lights.py.
+//         Automatic Technical Illustration", SIGGRAPH 1998, equations 1 to 4. Numpy reference, also
+//         of tones that keep hues: glshim/model/lights.py.
 
 uniform vec4 paint;        // alpha 0: the app's
 uniform vec3 tint;         // of the app's light, for its paint

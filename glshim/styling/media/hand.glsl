@@ -3,7 +3,7 @@
 // Source: NPRQuake's sketch and blueprint: jittered translucent lines, and lines that overshoot.
 //         There each polygon's side jitters by itself; here what a hand draws in one go does.
 
-PASSED vec4 hand;           // pixels of the stroke before a and after b; beyond its ends; seen whole
+PASSED vec4 hand;           // pixels of the stroke before a, after b; beyond its ends; seen whole
 
 uniform float wobble;       // pixels by which the hand strays
 uniform float period;       // pixels of a stroke after which its motion repeats

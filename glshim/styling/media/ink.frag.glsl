@@ -17,7 +17,8 @@ float covered(float s, float past, vec2 from_b) {
     if (abs(past) < JOINT) past = 0.0;
     float rim = clamp(extent.y + 0.5 - length(vec2(past, s)), 0.0, 1.0);
     if (kind > FIN) return rim;
-    if (past == 0.0) return clamp(extent.y + 0.5 - s, 0.0, 1.0) * clamp(s - extent.x + 0.5, 0.0, 1.0);
+    if (past == 0.0)
+        return clamp(extent.y + 0.5 - s, 0.0, 1.0) * clamp(s - extent.x + 0.5, 0.0, 1.0);
     return past > 0.0 && dot(from_b, onwards) < 0.0 ? rim : 0.0;
 }
 

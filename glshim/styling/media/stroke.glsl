@@ -1,5 +1,5 @@
-// What:   a stroke, as the vertex shader makes it, and whether its line is seen at a place along it:
-//         the layer's finished depth is asked beside it.
+// What:   a stroke, as the vertex shader makes it, and whether its line is seen at a place along
+//         it: the layer's finished depth is asked beside it.
 // Inputs: finished depth (depth.glsl). For both stages, GLSL 1.20 too.
 // Source: Raskar 2001, sections 2.1 to 2.4; the between-test is in `seen_alone`.
 
@@ -70,7 +70,8 @@ bool clear_beside(vec3 place) {
 }
 
 // What an edge shows in the pixel beside a place. 3: the polygon that lies there. 2: something that
-// is no nearer than the edge. 1: something a little nearer: the next polygon. 0: something before it.
+// is no nearer than the edge. 1: something a little nearer: the next polygon. 0: something before
+// it.
 int shown_beside(vec3 place, vec2 outwards) {
     vec2 centre = beyond(place.xy, outwards), off = centre - place.xy;
     float depth = finished(centre) - place.z;
@@ -81,8 +82,8 @@ int shown_beside(vec3 place, vec2 outwards) {
 }
 
 // What is drawn beside a place, carried on to it over a square of four pixels: its depth over the
-// side's. Whether the four lie in one plane at all. near: depth of the first pixel, over the side's.
-// margin: what counts as on the side.
+// side's. Whether the four lie in one plane at all. near: depth of the first pixel, over the
+// side's. margin: what counts as on the side.
 bool carried_on(vec3 place, out float near, out float gap, out float margin) {
     vec2 one = beyond(place.xy, out_1), off = place.xy - one;
     vec2 right = vec2(out_1.x < 0.0 ? -1.0 : 1.0, 0.0), up = vec2(0.0, out_1.y < 0.0 ? -1.0 : 1.0);
@@ -102,8 +103,9 @@ bool stands_out(vec3 place, float before) {
     return carried_on(place, near, gap, margin) && gap >= before - (kind == RING ? margin : 0.0);
 }
 
-// Sides that know no neighbour. What is drawn beside one may meet it: a neighbour after all. Section
-// 2.2: the quad of a ridge is before it. Section 2.3: the quad of a valley is trapped behind it.
+// Sides that know no neighbour. What is drawn beside one may meet it: a neighbour after all.
+// Section 2.2: the quad of a ridge is before it. Section 2.3: the quad of a valley is trapped
+// behind it.
 bool seen_alone(vec3 place) {
     float near, gap, margin;
     bool one_surface = carried_on(place, near, gap, margin);

@@ -59,8 +59,9 @@ bool traced(out float deep, out bool lone) {
     vec3 plane = line_plane(kind, side, edge_own, sight);
     float turned = dot(plane, sight);
     if (lone && abs(turned) < EDGE_ON) return false;
-    if (kind == LONE_RIDGE && turned < 0.0 && ridge_turn.y >= 0.0) return false;  // behind its polygon
-    if (kind == LONE_VALLEY && turned < 0.0 && valley_turn.y <= 0.0) return false;  // what rises more, too
+    // Behind its polygon; what rises more, too.
+    if (kind == LONE_RIDGE && turned < 0.0 && ridge_turn.y >= 0.0) return false;
+    if (kind == LONE_VALLEY && turned < 0.0 && valley_turn.y <= 0.0) return false;
 
     deep = pixel_depth(eye_a, side);
     slopes.xy = bounded(depth_slope(plane, eye_a), STEEPEST * deep);

@@ -1,10 +1,11 @@
-// What:   hatching that is held by the surface: planes through the object, as far apart as suits the
-//         screen, drawn where the light leaves it dark; crossed where it is darker still.
-// Inputs: seen_normal.glsl, fog.glsl; the surface's place and normal (hatch.vert.glsl), the lamps, the app's
-//         finished picture.
-// Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it is:
-//         G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH 1994;
-//         levels of strokes that fade in: E. Praun et al., "Real-Time Hatching", SIGGRAPH 2001.
+// What:   hatching that is held by the surface: planes through the object, as far apart as suits
+//         the screen, drawn where the light leaves it dark; crossed where it is darker still.
+// Inputs: seen_normal.glsl, fog.glsl; the surface's place and normal (hatch.vert.glsl), the lamps,
+//         the app's finished picture.
+// Source: NPRQuake's hatch textures by brightness; strokes whose number and width say how dark it
+//         is: G. Winkenbach, D. Salesin, "Computer-Generated Pen-and-Ink Illustration", SIGGRAPH
+//         1994; levels of strokes that fade in: E. Praun et al., "Real-Time Hatching", SIGGRAPH
+//         2001.
 
 uniform mat4 projection;
 uniform vec4 viewport;
@@ -30,8 +31,8 @@ in vec3 held;
 
 vec3 grain(vec2 at) { return textureLod(stroke, fract(at / 512.0), 0.0).rgb; }
 
-// Units of a direction in object space that a smooth surface gains in a pixel, and (y) the most that
-// it could gain. n, sight: eye space.
+// Units of a direction in object space that a smooth surface gains in a pixel, and (y) the most
+// that it could gain. n, sight: eye space.
 vec2 gained(vec3 across, vec3 n, vec3 sight) {
     vec3 g = across * inverse(mat3(modelview));  // its gradient in eye space
     float steep = dot(g, sight) / max(dot(n, sight), 0.15);
@@ -71,7 +72,8 @@ float lit(vec3 n) {
     float found = 0.0, all = 1e-6;
     for (int k = 0; k < lamps; ++k) {
         float share = max(max(lamp_shade[k].r, lamp_shade[k].g), lamp_shade[k].b);
-        found += share * (0.5 + 0.5 * dot(n, normalize(lamp_place[k].xyz - lamp_place[k].w * spot)));
+        vec3 way = normalize(lamp_place[k].xyz - lamp_place[k].w * spot);
+        found += share * (0.5 + 0.5 * dot(n, way));
         all += share;
     }
     return found / all;
@@ -83,12 +85,15 @@ void main() {
     float light = lit(n);
     vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;
     float picture = dot(shown, vec3(0.299, 0.587, 0.114));
-    float dark = 1.2 * darkness * (1.0 - mix(light * light, picture, by_picture)) * clear_share(spot);
+    float bright = mix(light * light, picture, by_picture);
+    float dark = 1.2 * darkness * (1.0 - bright) * clear_share(spot);
 
     // The families are askew to all axes, so that no face of a box lies along one.
-    float cover = strokes(normalize(vec3(0.62, 0.71, 0.34)), smoothstep(0.08, 0.8, dark), 0.0, n, sight);
-    cover = max(cover, strokes(normalize(vec3(-0.75, 0.58, 0.31)), smoothstep(0.5, 0.95, dark), 1.0, n, sight));
-    cover = max(cover, strokes(normalize(vec3(0.2, 0.45, -0.87)), smoothstep(0.75, 1.1, dark), 2.0, n, sight));
+    vec3 first = normalize(vec3(0.62, 0.71, 0.34)), second = normalize(vec3(-0.75, 0.58, 0.31));
+    vec3 third = normalize(vec3(0.2, 0.45, -0.87));
+    float cover = strokes(first, smoothstep(0.08, 0.8, dark), 0.0, n, sight);
+    cover = max(cover, strokes(second, smoothstep(0.5, 0.95, dark), 1.0, n, sight));
+    cover = max(cover, strokes(third, smoothstep(0.75, 1.1, dark), 2.0, n, sight));
     if (cover <= 0.004) discard;
     float value = max(max(shown.r, shown.g), max(shown.b, 0.05));
     vec3 crayon = shown / value * (0.25 + 0.4 * value);

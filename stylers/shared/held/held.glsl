@@ -1,5 +1,6 @@
-// What:   patterns that lie on the object, as large on the screen at any distance, and nowhere drawn
-//         out: solid textures, of which a surface cuts out its pattern, in octaves that take turns.
+// What:   patterns that lie on the object, as large on the screen at any distance, and nowhere
+//         drawn out: solid textures, of which a surface cuts out its pattern, in octaves that take
+//         turns.
 // Inputs: tone.glsl; the G-buffer of held.frag.glsl.
 // Source: P. Benard, A. Bousseau, J. Thollot, "Dynamic Solid Textures for Real-Time Coherent
 //         Stylization", I3D 2009; K. Perlin, "An Image Synthesizer", SIGGRAPH 1985.
@@ -29,7 +30,8 @@ Held held_at(vec2 place) {
 vec3 gained(vec2 at, vec2 aside, Held h) {
     Held ahead = held_at(at + aside), behind = held_at(at - aside);
     vec3 one = ahead.place - h.place, other = h.place - behind.place;
-    bool first = ahead.known == h.known && (behind.known != h.known || dot(one, one) < dot(other, other));
+    bool nearer = dot(one, one) < dot(other, other);
+    bool first = ahead.known == h.known && (behind.known != h.known || nearer);
     return first ? one : other;
 }
 
@@ -42,22 +44,25 @@ Held drawn_out(Held h, float factor) {
     return h;
 }
 
-// A place of the grain at which its clouds are of a middling density: the middle of an object, about
-// which all octaves are alike.
+// A place of the grain at which its clouds are of a middling density: the middle of an object,
+// about which all octaves are alike.
 const vec2 MIDDLE = vec2(368.0, 348.0) / 512.0;
 
 // The paper's grain as the slices of a solid, so many pixels of it apart.
 vec3 solid(vec3 p, float apart) {
     float slice = floor(p.z / apart), part = p.z / apart - slice;
-    vec2 here = p.xy / 512.0 + MIDDLE + slice * vec2(0.7548777, 0.5698403), there = here + vec2(0.7548777, 0.5698403);
-    vec3 a = textureLod(stroke, fract(here), 0.0).rgb, b = textureLod(stroke, fract(there), 0.0).rgb;
+    const vec2 STEP = vec2(0.7548777, 0.5698403);
+    vec2 here = p.xy / 512.0 + MIDDLE + slice * STEP, there = here + STEP;
+    vec3 a = textureLod(stroke, fract(here), 0.0).rgb;
+    vec3 b = textureLod(stroke, fract(there), 0.0).rgb;
     return (mix(a, b, part) - 0.5) * inversesqrt(part * part + (1.0 - part) * (1.0 - part));
 }
 
 // The grain on an object: 0..1, about so many times as large on the screen as on paper.
 vec3 grain(Held h, float factor, float apart) {
     if (!h.known) return grain(h.place.xy, factor);
-    float level = h.level + log2(factor), fine = floor(level), part = smoothstep(0.0, 1.0, level - fine);
+    float level = h.level + log2(factor), fine = floor(level);
+    float part = smoothstep(0.0, 1.0, level - fine);
     vec3 p = h.place / exp2(fine);
     vec3 found = mix(solid(p, apart), solid(0.5 * p, apart), part);
     return clamp(0.5 + found * inversesqrt(part * part + (1.0 - part) * (1.0 - part)), 0.0, 1.0);

@@ -1,5 +1,5 @@
-// What:   the triangles as the app drew them, with where each place of a surface was when its mesh was
-//         first seen.
+// What:   the triangles as the app drew them, with where each place of a surface was when its mesh
+//         was first seen.
 // Inputs: mesh.glsl.
 
 out vec3 held;

@@ -1,6 +1,6 @@
 // What:   the G-buffer: the normal in eye space, turned to the viewer, and the window depth. The
-//         normal's length is 1, and 1 more where the material gleams, and 2 more where GL lights the
-//         side that is not seen.
+//         normal's length is 1, and 1 more where the material gleams, and 2 more where GL lights
+//         the side that is not seen.
 // Inputs: seen_normal.glsl; the surface's place and normal in eye space; the app's clip planes.
 // Source: Rideout 2010, "The Spine Test". He keeps normals in 0..1; here they are floats.
 

@@ -18,7 +18,8 @@ float clear_share(vec3 spot) {
 
 // A colour that the app drew, as it is without fog.
 vec3 without_fog(vec3 shown, float clear) {
-    return clear < 1.0 ? clamp((shown - (1.0 - clear) * fog_colour) / max(clear, 0.004), 0.0, 1.0) : shown;
+    vec3 own = clamp((shown - (1.0 - clear) * fog_colour) / max(clear, 0.004), 0.0, 1.0);
+    return clear < 1.0 ? own : shown;
 }
 
 vec3 in_fog(vec3 found, float clear) { return mix(fog_seen, found, clear); }

@@ -9,7 +9,7 @@ uniform vec4 lamp_place[8];  // eye space, homogeneous; zero: the viewer's own
 uniform vec3 lamp_shade[8];  // diffuse
 uniform vec3 lamp_gleam[8];  // specular
 uniform vec3 lamp_fade[8];   // attenuation
-uniform vec4 lamp_beam[8];   // unit direction of a spot light, cosine of its cut-off; -1: all around
+uniform vec4 lamp_beam[8];   // unit direction of a spot light, cosine of its cut-off; -1: all round
 uniform float lamp_focus[8]; // its exponent
 
 struct Falling {

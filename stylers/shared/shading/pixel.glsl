@@ -1,4 +1,5 @@
-// What:   what light on a pixel needs: its surface's place and normal, and whether it is seen there.
+// What:   what light on a pixel needs: its surface's place and normal, and whether it is seen
+//         there.
 // Inputs: fog.glsl, the G-buffer, the app's finished picture and depth (depth.glsl), the camera.
 // Source: P. Rideout, "Silhouette Extraction", 2010 (per-pixel lighting from the G-buffer).
 

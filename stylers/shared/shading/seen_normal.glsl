@@ -1,10 +1,10 @@
 // What:   the normal by which a surface is lit, turned to the viewer.
-// Inputs: of a fragment, in eye space: its place, the normal that was sent (zero: none), a vector to
-//         the viewer. Takes derivatives: before any discard.
+// Inputs: of a fragment, in eye space: its place, the normal that was sent (zero: none), a vector
+//         to the viewer. Takes derivatives: before any discard.
 
 // Cosines between the sent normal and the triangle's own. Up to the first the sent one lies in the
-// triangle's plane and says nothing of it (a floor under glNormal's default): which way it is turned
-// would be rounding noise. From the second on it is a smooth surface's.
+// triangle's plane and says nothing of it (a floor under glNormal's default): which way it is
+// turned would be rounding noise. From the second on it is a smooth surface's.
 const float IN_PLANE = 0.05, SMOOTH = 0.25;
 
 vec3 seen_normal(vec3 spot, vec3 sent, vec3 sight) {

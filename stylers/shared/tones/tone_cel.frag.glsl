@@ -1,8 +1,8 @@
 // What:   flat bands of the app's own shading, as painted on a cel.
 // Inputs: tone.glsl.
 // Source: A. Lake et al., "Stylized Rendering Techniques for Scalable Real-Time 3D Animation", NPAR
-//         2000. Bands lie in equal ratios of brightness, so that dark and light paints alike have two
-//         or three of them.
+//         2000. Bands lie in equal ratios of brightness, so that dark and light paints alike have
+//         two or three of them.
 
 const float BANDS = 1.9;  // in a ratio of 2
 

@@ -12,7 +12,8 @@ void main() {
         float dark = pow(1.0 - smoothstep(0.0, 0.95, brightness(shown(at))), 1.3);
         // The stick goes along one way, the paper's tooth catches it.
         Held h = held_at(at);
-        float grains = 0.15 * grain(spot).r + 0.4 * tooth(h, 0.6).r + 0.45 * tooth(drawn_out(h, 8.0), 0.9).r;
+        float grains = 0.15 * grain(spot).r + 0.4 * tooth(h, 0.6).r
+                     + 0.45 * tooth(drawn_out(h, 8.0), 0.9).r;
         float sweep = cloud(drawn_out(h, 6.5), 0.4).g - 0.5;
         float press = dark * (1.0 + 0.35 * sweep) + 0.08 * sweep;
         float smear = 0.6 * press;  // what a finger rubs into the paper

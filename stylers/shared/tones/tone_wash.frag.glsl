@@ -1,4 +1,5 @@
-// What:   a watercolour wash: pale, uneven, with pigment that gathers at its borders and in the grain.
+// What:   a watercolour wash: pale, uneven, with pigment that gathers at its borders and in the
+//         grain.
 // Inputs: tone.glsl, held.glsl.
 // Source: A. Bousseau et al., "Interactive Watercolor Rendering with Temporal Coherence and
 //         Abstraction", NPAR 2006: edges that wobble and darken, turbulence, and the paper, all of
@@ -38,7 +39,8 @@ void main() {
     float rim = 0.0;
     for (int k = 0; k < SPOKES; ++k) {
         float turn = 6.2832 * float(k) / float(SPOKES);
-        vec2 there = place + shot.z * (k % 2 == 0 ? REACH : 0.5 * REACH) * vec2(cos(turn), sin(turn));
+        float away = shot.z * (k % 2 == 0 ? REACH : 0.5 * REACH);
+        vec2 there = place + away * vec2(cos(turn), sin(turn));
         rim += surface(there) ? min(distance(shown(there), here), 0.5) : 0.5;
     }
     rim /= float(SPOKES);
@@ -50,7 +52,8 @@ void main() {
     float dried = smoothstep(0.35, 0.8, within) * (1.0 - smoothstep(0.8, 0.98, within));
     vec3 pigment = here / value * mix(value, min(exp2(washed / WASHES), 1.0), 0.6);
     pigment = clamp(mix(vec3(brightness(pigment)), pigment, 1.35), 0.07, 0.98);
-    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5) + 0.18 * (tooth(h, 0.6).r - 0.5)
+    float density = 0.58 + 0.5 * (wide.g - 0.5) + 0.3 * (fine.b - 0.5)
+                  + 0.18 * (tooth(h, 0.6).r - 0.5)
                   + 0.12 * dried + 0.8 * smoothstep(0.05, 0.35, rim);
     colour = vec4(sheet * pow(pigment, vec3(max(density, 0.1))), 1.0);
 }

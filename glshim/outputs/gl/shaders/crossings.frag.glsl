@@ -2,7 +2,8 @@
 // triangles P behind D that come out of it a pixel or so away.
 // Inputs: the number of the draw's first triangle; the app's finished depth; what pass 1 noted.
 // Source: Raskar 2001, section 2.4: P lies between D and a second depth, which the paper takes to
-// be a little farther. Here the slopes of both say how far: lines come out equally wide at any angle.
+// be a little farther. Here the slopes of both say how far: lines come out equally wide at any
+// angle.
 
 uniform int first_triangle;
 uniform float away;         // +1 where greater depth is farther away, else -1

@@ -33,7 +33,8 @@ float finished(vec2 centre) {
 #endif
 }
 
-// The centre of a pixel beyond a line through a place: 0.04 to 1.46 pixels outwards (a unit vector).
+// The centre of a pixel beyond a line through a place: 0.04 to 1.46 pixels outwards (a unit
+// vector).
 vec2 beyond(vec2 place, vec2 outwards) {
     return floor(place + (0.75 + blur) * outwards) + 0.5;
 }

@@ -1,6 +1,7 @@
 // Prelude of mesh shaders: an edge of the edge mesh, and what equation 1 says of it.
 // Inputs: mesh.glsl.
-// Source: McGuire & Hughes 2004, equation 1; numpy reference: glshim/geometry/meshshaders/edge_mesh.py.
+// Source: McGuire & Hughes 2004, equation 1; numpy reference:
+//         glshim/geometry/meshshaders/edge_mesh.py.
 
 struct Edge {
     int v0, v1;            // vertices

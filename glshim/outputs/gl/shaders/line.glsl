@@ -7,4 +7,4 @@ layout(location = 2) in vec3 edge_c;      // where an outline goes on from b, or
 layout(location = 3) in vec3 edge_own;    // unit normal of its polygon, of the winding along a to b
 layout(location = 4) in vec3 edge_other;  // of the other polygon on the edge, or 0
 layout(location = 5) in vec3 edge_kind;   // RING ...; repeats of a pattern at a and at b
-layout(location = 6) in vec3 edge_hand;   // pixels of its stroke before a and after b; its own number
+layout(location = 6) in vec3 edge_hand;   // pixels of its stroke before a, after b; its number

@@ -1,8 +1,10 @@
 // Prelude of every mesh shader's vertex and geometry stage: the recovered mesh, the camera and the
 // light. A vertex has no attributes: it looks its element up by number.
-// Inputs: textures of positions and normals (a texel a vertex), edges <v0, v1, v2, v3> and triangles.
+// Inputs: textures of positions and normals (a texel a vertex), edges <v0, v1, v2, v3> and
+//         triangles.
 // Source: McGuire & Hughes 2004, section 3 (the edge vertex), 3.6 (key frames, bones), by indices
-//         as their section 6 foresees. Numpy references: glshim/geometry/meshshaders/edge_mesh.py, poses.py.
+//         as their section 6 foresees. Numpy references: glshim/geometry/meshshaders/edge_mesh.py,
+//         poses.py.
 
 uniform sampler2D mesh_positions;   // object space; with creases also the vertex's number, from 1
 uniform sampler2D mesh_normals;     // out of the object, where it has an outside; with creases also
@@ -13,7 +15,8 @@ uniform isampler2D mesh_triangles;  // three vertices; 1 where its component is 
                                     // 128: it winds about what is in
 uniform sampler2D mesh_rest;        // positions as first seen; +1: triangles wind about what is
                                     // out, -1: about what is in, 0: an open mesh has no outside
-uniform sampler2D mesh_creases;     // crease differences and verifiers (glshim/geometry/crease/creases.py)
+// crease differences and verifiers (glshim/geometry/crease/creases.py)
+uniform sampler2D mesh_creases;
 uniform int vertices_each;          // vertices an element is drawn with
 
 uniform mat4 modelview;
@@ -97,8 +100,8 @@ bool comes_before(vec3 p, vec3 q) {
 }
 
 // Puts the corners of a triangle in one order, and says whether that turns it round: whoever asks
-// about it then computes the same to the bit. Both triangles at an edge ask for each other, and must
-// not disagree about one that is seen edge on.
+// about it then computes the same to the bit. Both triangles at an edge ask for each other, and
+// must not disagree about one that is seen edge on.
 bool put_in_order(inout vec3 a, inout vec3 b, inout vec3 c) {
     bool odd = false;
     if (comes_before(b, a)) { vec3 t = a; a = b; b = t; odd = !odd; }
