@@ -49,17 +49,15 @@ def dilated(mask: np.ndarray, reach: int) -> np.ndarray:
 def foremost(depth: np.ndarray, reach: int) -> tuple[np.ndarray, np.ndarray]:
     """(H, W), (H, W) the row and the column of the nearest surface in a square about each pixel:
     an outline lies beside its own."""
-    row, column = np.indices(depth.shape)
-    best = depth.copy()
-    for j in range(-reach, reach + 1):
-        for i in range(-reach, reach + 1):
-            moved = np.roll(depth, (-j, -i), (0, 1))
-            nearer = moved < best - 1e-5
-            best = np.where(nearer, moved, best)
-            row[nearer], column[nearer] = (at[nearer] for at in np.indices(depth.shape) + np.array(
-                (j, i))[:, None, None])  # fmt: skip
-    height, width = depth.shape
-    return np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)
+    at = np.arange(depth.size).reshape(depth.shape)
+    for axis in (0, 1):
+        best, own = depth.ravel()[at], at
+        for k in range(-reach, reach + 1):
+            moved = np.roll(own, -k, axis)
+            there = depth.ravel()[moved]
+            nearer = there < best - 1e-5
+            best, at = np.where(nearer, there, best), np.where(nearer, moved, at)
+    return np.divmod(at, depth.shape[1])
 
 
 def lost(lines: np.ndarray, then: np.ndarray, motion: Motion, depth: np.ndarray) -> tuple[int, int]:

@@ -170,9 +170,9 @@ def measured(style: Styler, motion: str, name: str, count: int, carrier: Carrier
                 missed, told = pixels.lost(pair[0].lines, pair[1].lines, pair[2], pair[0].depth)
                 found.lost, found.told = found.lost + missed, found.told + told
             found.strokes.add(before.samples, now.samples, ahead, before.depth)
-            for one, other, motion in ((before, now, ahead), (now, before, back)):
+            for one, other, carried in ((before, now, ahead), (now, before, back)):
                 depths = one.depth, other.depth
-                found.flicker.append(pixels.flicker((one.whole, other.whole), motion, depths))
+                found.flicker.append(pixels.flicker((one.whole, other.whole), carried, depths))
             if k == 1 and now.surfaces is not None and before.surfaces is not None:
                 found.drift.add(before.surfaces, now.surfaces, before.base, ahead)
         before = now
