@@ -33,7 +33,7 @@ from ..shared.kinds import (
     former_names,
 )
 from ..shared.strokes import inked
-from ..shared.tones import TONES, tone_passes
+from ..shared.tones import BY_LIGHT, TONES, tone_passes
 from .paper import PaperLook, paper_passes
 
 _PAPER_KINDS = ("contour", "ridge", "valley", "marked", "boundary")
@@ -106,6 +106,11 @@ class EdgeMesh(
     def wants_colours(self) -> bool:
         """Marked edges part them."""
         return self.marked
+
+    @property
+    def wants_lights(self) -> bool:
+        """Hatching goes by them."""
+        return self.tone in BY_LIGHT
 
     def __post_init__(self) -> None:
         super().__post_init__()

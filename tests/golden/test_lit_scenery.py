@@ -108,3 +108,14 @@ def test_colours_are_those_of_the_lamps(style: str) -> None:
     red, green, blue = shown(lit_scenery.under_a_yellow_lamp, style)[130, 200]
     assert abs(red - green) < 0.1 * red
     assert blue < 0.5 * red
+
+
+def test_there_is_no_hatching_where_there_is_no_light() -> None:
+    """Ink as even as the colours; what is lit beside it is hatched."""
+    for style in ("pen_and_ink", "woodcut", "engraving"):
+        found = shown(lit_scenery.without_light, style).sum(axis=2)
+        faces = [found[130:150, x - 10 : x + 10] for x in (105, 200, 295)]
+        assert max(np.ptp(face) for face in faces) < 60
+        assert faces[0].mean() < faces[1].mean() - 60  # red is darker than yellow
+        lit = shown(lit_scenery.sheets, style).sum(axis=2)[120:180, 260:320]
+        assert np.ptp(lit) > 300

@@ -7,7 +7,8 @@
 
 uniform sampler2D gbuffer;
 
-const float LEVEL = 256.0;  // added to levels: zero is where no surface is known
+const float LEVEL = 256.0;   // added to levels: zero is where no surface is known
+const float UNLIT = 1024.0;  // the same for what the app drew without light
 // No face of a box lies along an axis of the solid.
 const mat3 ASKEW = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
 const vec3 ACROSS = vec3(0.62, 0.71, 0.34);  // strokes lie in planes across it
@@ -17,12 +18,14 @@ struct Held {
     vec3 place;
     float level;
     bool known;  // else the place is one on the screen
+    bool lit;    // the app lit it, as far as the style asks
 };
 
 Held held_at(vec2 place) {
     vec4 found = texelFetch(gbuffer, ivec2(clamp(place, port.xy, port.zw)), 0);
-    if (found.w <= 0.0) return Held(vec3(on_paper(place), 0.0), 0.0, false);
-    return Held(ASKEW * found.xyz, found.w - LEVEL + log2(shot.z), true);
+    if (found.w <= 0.0) return Held(vec3(on_paper(place), 0.0), 0.0, false, false);
+    bool lit = found.w < 0.5 * (LEVEL + UNLIT);
+    return Held(ASKEW * found.xyz, found.w - (lit ? LEVEL : UNLIT) + log2(shot.z), true, lit);
 }
 
 // What a place on the object gains in a pixel to the right, or upwards: the less of both sides, as

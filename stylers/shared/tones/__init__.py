@@ -26,6 +26,8 @@ from glshim.styling.values import Body, Colour, Layer, Uniform
 from ..held import HELD, held
 
 TONES = ("paper", "hatch", "grain", "cel", "wash")
+BY_LIGHT = ("hatch",)
+"""Tones by the light, for styles that want lights: what has none is laid in evenly."""
 WHITE: Colour = (0.985, 0.975, 0.95)
 """The paper of tones where the background stays the app's."""
 _SIDE = 512
@@ -56,11 +58,12 @@ _SHADERS = {
 
 def over_windows(
     shader: MeshShader, layer: Layer, uniforms: Mapping[str, Uniform], coat: int, *,
-    paper: bool = True, tones: bool = True, weld: Weld | None = None,
+    paper: bool = True, tones: bool = True, weld: Weld | None = None, by_light: bool = False,
 ) -> Iterator[Pass]:
     """A `tone_shader` over every window of a layer. paper: whether that lies behind the surfaces,
     in what the layer has of the picture for itself; tones: whether surfaces over others are laid
-    in, which they are once where they share a depth; weld: of meshes that hold patterns."""
+    in, which they are once where they share a depth; weld: of meshes that hold patterns;
+    by_light: as `held`."""
     windows = {body.camera.viewport: body for body in layer.bodies}
     parts: list[tuple[bool, list[Body]]] = []
     if not layer.over:
@@ -71,7 +74,7 @@ def over_windows(
         if tones and layer.fresh:
             parts.append((False, rest if bare else [_seen(body) for body in windows.values()]))
     if "gbuffer" in (shader.needs or ()) and any(screens for _, screens in parts):
-        yield from held(layer, coat, weld or Weld())
+        yield from held(layer, coat, weld or Weld(), by_light=by_light)
     for behind, screens in parts:
         if screens:
             yield Pass(
@@ -115,6 +118,7 @@ def tone_passes(
     yield from over_windows(
         _SHADERS[tone], layer, uniforms, _UNDER,
         paper=not isinstance(paper, str), tones=tone != "app", weld=Weld(tolerance),
+        by_light=tone in BY_LIGHT,
     )  # fmt: skip
 
 

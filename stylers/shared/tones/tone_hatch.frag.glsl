@@ -6,6 +6,7 @@
 //         they lie in planes through the object.
 
 const float APART = 5.5;  // pixels of the window between lines
+const float EVEN = 0.45;  // ink of a wash, where there is no light to hatch by
 
 // Where a pixel lies across a set of lines, how much of that a pixel gains, and 0..1 whether that
 // is enough: a surface across the direction has no lines, one nearly so would have them anywhere.
@@ -54,6 +55,7 @@ void main() {
         float instead = (1.0 - first.share) * (0.62 * dark - 0.08);
         cover = max(cover, lines(second, max(0.75 * dark - 0.4, instead), wander));
         cover = max(cover, lines(third, 1.2 * dark - 0.82, wander));
+        cover = h.lit ? cover : EVEN * dark;
         cover = max(cover, smoothstep(0.93, 0.98, dark));  // black is filled in
     }
     colour = vec4(mix(bare(spot), ink, cover), 1.0);
