@@ -130,9 +130,9 @@ class Pipeline:
     # -- layer, styler, outputs: what the follower hands on --------------------------------------
 
     @property
-    def has_background(self) -> bool:
-        """Whether the styler's background goes below what the app draws."""
-        return self.styler is not None and self.styler.background is not None
+    def background(self) -> Colour | None:
+        """The styler's, which goes below what the app draws."""
+        return self.styler.background if self.styler is not None else None
 
     def lay_background(self, places: Unbacked) -> bool:
         """Before the app draws in places of its framebuffer."""

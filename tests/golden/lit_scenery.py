@@ -2,7 +2,7 @@
 
 from OpenGL.GL import *  # noqa: F403
 
-from tests.golden.scenery import box, light, look, material, plane
+from tests.golden.scenery import ball, box, flat, light, look, material, plane
 
 # ruff: noqa: F405
 
@@ -160,3 +160,48 @@ def under_a_yellow_lamp():
     light((1.0, 2.0, 4.0, 0.0), colour=(1.0, 1.0, 0.0))
     material((1.0, 1.0, 1.0, 1.0))
     box((0.0, 0.0, 0.0), 1.5)
+
+
+def white_glass(lit=True, additive=False):
+    """A white pane and a white ball that are blended over a box and beside it."""
+    look((0.0, 2.0, 7.0), sky=(0.1, 0.1, 0.2))
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glColor3f(0.8, 0.4, 0.3)
+    box((-1.6, 0.0, -1.0), 1.0)
+    if not lit:
+        glDisable(GL_LIGHTING)
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE if additive else GL_ONE_MINUS_SRC_ALPHA)
+    glDepthMask(GL_FALSE)
+    glColor4f(1.0, 1.0, 1.0, 0.4)
+    glNormal3f(0.0, 0.0, 1.0)
+    glBegin(GL_QUADS)
+    for x, y in ((-1.4, -0.6), (0.2, -0.6), (0.2, 1.0), (-1.4, 1.0)):
+        glVertex3f(x, y, 1.0)
+    glEnd()
+    glTranslatef(2.0, 0.0, 0.0)
+    ball(1.0)
+
+
+def on_a_panel(shade):
+    """A translucent panel over a box, flat, with bars as white as text."""
+    look((0.0, 2.0, 7.0), sky=(0.1, 0.1, 0.2))
+    light((2.0, 5.0, 4.0, 0.0))
+    glEnable(GL_COLOR_MATERIAL)
+    glColor3f(0.8, 0.4, 0.3)
+    box((0.0, 0.0, 0.0), 1.2)
+    glDisable(GL_LIGHTING)
+    flat()
+    glEnable(GL_BLEND)
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)
+    glColor4f(*shade)
+    glRectf(-0.9, 0.0, 0.1, 0.8)
+    glColor4f(1.0, 1.0, 1.0, 1.0)
+    glBegin(GL_LINES)
+    for k in range(4):
+        glVertex2f(-0.8, 0.2 + 0.1 * k)
+        glVertex2f(0.0, 0.2 + 0.1 * k)
+    glEnd()
+    glRasterPos2f(-0.8, 0.65)
+    glDisable(GL_BLEND)

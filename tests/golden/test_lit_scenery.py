@@ -119,3 +119,12 @@ def test_there_is_no_hatching_where_there_is_no_light() -> None:
         assert faces[0].mean() < faces[1].mean() - 60  # red is darker than yellow
         lit = shown(lit_scenery.sheets, style).sum(axis=2)[120:180, 260:320]
         assert np.ptp(lit) > 300
+
+
+@pytest.mark.parametrize("style", ["technical", "sketch", "hiddenline"])
+@pytest.mark.parametrize("lit", [True, False])
+def test_white_glass_is_seen_on_white_paper(style: str, lit: bool) -> None:
+    """By its outline: a ball beside all else."""
+    found = shown(partial(lit_scenery.white_glass, lit), style).sum(axis=2)
+    rim = found[150, 320:345]
+    assert rim.min() < np.median(rim) - 150

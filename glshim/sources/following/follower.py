@@ -331,7 +331,7 @@ class Follower:
         layer, gathers = scene.layer, self._sink.gathers_ink
         if not polygons:
             self.census.others += 1
-            backs = self._sink.has_background and layer.backing.awaited
+            backs = self._sink.background is not None and layer.backing.awaited
             if not (layer.pending or gathers or backs):
                 return
         state = scene.reader.read()
@@ -342,7 +342,7 @@ class Follower:
         text = polygons and not (obstacle or compiling) and scene.lettering.draws(state)
         carries = polygons and not (obstacle or text or scene.condition.discards)
         carries = carries and layer.carries(state)
-        if self._sink.has_background and not compiling:
+        if self._sink.background is not None and not compiling:
             lay_behind(self._sink, scene, state, carries=carries, polygons=polygons)
         if gathers and not compiling:
             ink = not obstacle and (ink or text or is_wire(state))
@@ -356,7 +356,7 @@ class Follower:
                     layer.lighting = state.camera.lighting
                 self._sink.cover(materials)
             return
-        if not (obstacle or text or compiling) and is_glass(state, layer):
+        if not (obstacle or text or compiling) and is_glass(state, layer, self._sink.background):
             scene.drawing = state  # for its outline: it is not covered
         if obstacle:
             say_once(f"unstyled: polygons drawn while {obstacle}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from glshim.model.boxes import Box, Unbacked
-from glshim.model.lights import MaterialChange, Materials
+from glshim.model.lights import MaterialChange, Materials, Shade
 from glshim.sources.following.layers import FinishedLayer
 from glshim.sources.following.ownink import Run
 from glshim.sources.following.scene import Scene
@@ -16,8 +16,8 @@ class LayerSink(Protocol):
     """Where layers go, and what must be known on the way."""
 
     @property
-    def has_background(self) -> bool:
-        """Whether the background shall be laid before the app draws on it."""
+    def background(self) -> Shade | None:
+        """That is to be laid before the app draws on it; None: it stays the app's."""
 
     def lay_background(self, places: Unbacked) -> bool:
         """Lay it in places of the framebuffer that is bound. Whether that was possible."""
