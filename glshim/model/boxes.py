@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
 
 Box = tuple[int, int, int, int]
 """x, y, width, height in pixels, origin at the lower left."""
@@ -26,6 +30,8 @@ class Unbacked:
     free_depth: bool
     """What has depth there was drawn on the background, and stays; else it is an older picture's.
     """
+    around: tuple[float, float, float] | None = None
+    """Only what has this colour is background: a picture lies there, without depth."""
 
 
 def covers(outer: Box, inner: Box) -> bool:
@@ -49,4 +55,17 @@ def without(boxes: Iterable[Box], hole: Box) -> list[Box]:
             (right, below, left + across - right, above - below),
         )  # fmt: skip
         found += [part for part in parts if min(part[2:]) > SLIVER]
+    return found
+
+
+def boxes_of(mask: NDArray[np.bool_]) -> list[Box]:
+    """The true parts of a picture (height, width), row 0 lowest, as boxes: runs of pixels, as high
+    as rows are alike."""
+    found: list[Box] = []
+    changes = np.flatnonzero((mask[1:] != mask[:-1]).any(axis=1)) + 1
+    bounds = [0, *changes.tolist(), len(mask)]
+    for low, high in pairwise(bounds):
+        row = np.concatenate(([False], mask[low], [False]))
+        ends = np.flatnonzero(row[1:] != row[:-1]).tolist()
+        found += [(a, low, b - a, high - low) for a, b in zip(ends[::2], ends[1::2], strict=True)]
     return found

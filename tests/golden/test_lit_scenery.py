@@ -128,3 +128,13 @@ def test_white_glass_is_seen_on_white_paper(style: str, lit: bool) -> None:
     found = shown(partial(lit_scenery.white_glass, lit), style).sum(axis=2)
     rim = found[150, 320:345]
     assert rim.min() < np.median(rim) - 150
+
+
+def test_about_a_picture_there_is_paper() -> None:
+    """In the first frame, too."""
+    found, later = (
+        shown(lit_scenery.on_a_picture_with_a_margin, "technical", frames) for frames in (1, 2)
+    )
+    assert np.abs(found - later).max() < 8
+    assert found[:8].min() > 225
+    assert np.abs(found[200, 60] - (40, 140, 60)).max() < 8

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from glshim.driver.ask import integer
 from glshim.driver.functions import gl
 from glshim.driver.pixels import pack_plainly, transfer_plainly
-from glshim.model.boxes import Box, Unbacked
+from glshim.model.boxes import Box, Unbacked, boxes_of
 from glshim.outputs.gl.device.guard import Guard, possible
 from glshim.outputs.gl.device.matrices import matrices_kept
 from glshim.outputs.gl.fixed import plainest
@@ -17,11 +18,15 @@ from glshim.spec.constants import (
     GL_CULL_FACE,
     GL_DEPTH_TEST,
     GL_DITHER,
+    GL_DRAW_BUFFER,
+    GL_DRAW_FRAMEBUFFER_BINDING,
     GL_FLOAT,
     GL_FRAMEBUFFER_SRGB,
     GL_LEQUAL,
     GL_MODELVIEW,
+    GL_NO_ERROR,
     GL_PROJECTION,
+    GL_READ_FRAMEBUFFER,
     GL_RGB,
     GL_SCISSOR_TEST,
     GL_TRIANGLES,
@@ -30,6 +35,8 @@ from glshim.spec.constants import (
 )
 from glshim.styling.values import Colour
 
+_MOST = 2000
+"""Boxes of a picture that are filled one by one, the largest first."""
 _CORNERS = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
 """Of a triangle over every viewport. From arrays: where a program evaluates normals, Mesa shows it
 what was said before between glBegin and glEnd."""
@@ -44,11 +51,31 @@ def lay(places: Unbacked, colour: Colour) -> bool:
         for switch in (GL_DITHER, GL_FRAMEBUFFER_SRGB):
             gl.glDisable(switch)
         gl.glEnable(GL_SCISSOR_TEST)
-        if places.free_depth:
+        if places.around is not None:
+            _clear(_bare(places.boxes, places.around), colour)
+        elif places.free_depth:
             _fill_behind(places.boxes, colour)
         else:
             _clear(places.boxes, colour)
     return True
+
+
+def _bare(boxes: tuple[Box, ...], own: Colour) -> tuple[Box, ...]:
+    """The parts of boxes that have a colour; all of them if they cannot be read."""
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING))
+    gl.glReadBuffer(integer(GL_DRAW_BUFFER))
+    pack_plainly()
+    transfer_plainly()
+    found: list[Box] = []
+    for x, y, width, height in boxes:
+        seen = np.zeros((height, width, 3), np.uint8)
+        gl.glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, seen.ctypes.data)
+        if gl.glGetError() != GL_NO_ERROR:
+            return boxes
+        alike = np.asarray((abs(seen - np.multiply(own, 255.0)) < 1.0).all(axis=2))
+        found += [(x + at[0], y + at[1], at[2], at[3]) for at in boxes_of(alike)]
+    found.sort(key=lambda at: at[2] * at[3], reverse=True)
+    return tuple(found[:_MOST])
 
 
 def lift(box: Box, laid: Colour, own: Colour) -> tuple[Box, ...]:

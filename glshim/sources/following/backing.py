@@ -25,6 +25,8 @@ class Backing:
         """Pixels that are the program's own while it looks at them."""
         self._proven: bool | None = None
         """Frames have layers: what is drawn without depth belongs to them. None: nobody knows."""
+        self._early: set[int] = set()
+        """Framebuffers that hold what belongs to a layer if one comes, before anybody knows."""
 
     def missing(self, framebuffer: int, boxes: Iterable[Box]) -> list[Box]:
         """What of boxes it was not laid in."""
@@ -39,6 +41,15 @@ class Backing:
         some programs are made. flat: which a menu may be."""
         return polygons and not flat if self._proven is None else self._proven
 
+    def came_early(self, framebuffer: int) -> None:
+        """Something was drawn without depth that it would go below, if anybody knew of a layer."""
+        if self._proven is None:
+            self._early.add(framebuffer)
+
+    def holds_early(self, framebuffer: int) -> bool:
+        """Whether such things are in a framebuffer."""
+        return framebuffer in self._early
+
     def add(self, framebuffer: int, boxes: Iterable[Box]) -> None:
         """It was laid there."""
         self.awaited = False
@@ -47,10 +58,12 @@ class Backing:
     def cleared(self, framebuffer: int, box: Box | None) -> None:
         """It is there no more; None: in all of it."""
         self.awaited = True
+        self._early.discard(framebuffer)
         self._laid.remove(framebuffer, box)
 
     def end_frame(self) -> None:
         """What is drawn now is another picture."""
         self._laid.clear()
+        self._early.clear()
         self.awaited, self.free_depth = True, False
         self._proven, self.used = self.used, False

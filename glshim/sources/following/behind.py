@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from glshim.driver.ask import is_enabled, reals
 from glshim.driver.context import is_complete
 from glshim.driver.queries import counting
@@ -32,13 +34,19 @@ def lay_behind(
     backdrop = state.flat and not carries
     if backdrop and not (polygons and scene.layer.backing.awaited and _is_pictured()):
         return
+    backing = scene.layer.backing
     places = scene.layer.unbacked(state, carries=carries, polygons=polygons)
+    if places is None and backing.awaited and state.rendered:
+        backing.came_early(state.framebuffer)
     if places is None or counting() or not is_complete(state.framebuffer):
         return
+    own = colour_cleared_to()
+    if backing.holds_early(state.framebuffer):
+        places = replace(places, around=own)
     with styling(), Held(), scene.condition.lifted():
         if sink.lay_background(places):
-            scene.layer.backing.own = colour_cleared_to()
-            scene.layer.backing.add(state.framebuffer, places.boxes)
+            backing.own = own
+            backing.add(state.framebuffer, places.boxes)
 
 
 def colour_cleared_to() -> tuple[float, float, float]:
