@@ -10,11 +10,12 @@ shows the sides of all its polygons.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from glshim.styling.protocol import BackFaces, Colour, Layer, Lines, option
 from glshim.styling.renamed import Renamed, takes_old_names
+from glshim.styling.wishes import Features
 
 from ..shared import options
 from ..shared.intersections import intersection_lines
@@ -65,20 +66,25 @@ class TwoPass(Intersections, Valleys, Ridges):
     @property
     def surface(self) -> str | Colour:
         """Depth alone under flat front faces: those need no shader, as a colour here would."""
-        return self.fill if self.fill == "app" or not self.contours else "none"
+        contour = self.looks().get("contour")
+        filled = self.fill == "app" or contour is None or contour.dash > 0.0
+        return self.fill if filled else "none"
 
     def share(self, kind: str) -> float:
         return 1.0 if kind == "contour" else 0.5
 
     def draws(self, layer: Layer) -> Iterable[BackFaces | Lines]:
-        """All contours at once, and creases, if they are asked for."""
+        """All contours at once, and creases, if they are asked for. Dashes go on from edge to edge
+        and stay where they were, which those of glLineStipple do not."""
         fill = None if isinstance(self.fill, str) else self.fill
         looks = self.looks()
         contour = looks.pop("contour", None)
-        if contour is not None:
-            yield BackFaces(
-                layer.bodies, contour.width, contour.ink, fill, self.smooth, contour.dash
-            )
+        if contour is not None and contour.dash > 0.0:
+            outer = replace(contour, width=0.5 * contour.width, texture="none")
+            yield from inked(layer, Features(contours=True, tolerance=self.tolerance),
+                             {"contour": outer})  # fmt: skip
+        elif contour is not None:
+            yield BackFaces(layer.bodies, contour.width, contour.ink, fill, self.smooth)
         looks.pop("intersection", None)
         if looks:
             wanted = self.features(self.crease_angle, tolerance=self.tolerance)

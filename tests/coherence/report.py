@@ -17,7 +17,7 @@ tables of docs/measurements/edge_mesh.md and fins.md.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import product
 from multiprocessing import get_context
@@ -44,8 +44,8 @@ from tests.coherence.subjects import HEIGHT, SHORT, SUBJECTS, WIDTH, Frame, colo
 GREY = 0.5
 BACKGROUND = 0.8
 SHORT_STYLES = (
-    "raskar", "edge_mesh", "crease", "hiddenline", "fins", "two_pass", "cartoon", "technical",
-    "blueprint", "sketch", "brush", "pencil", "watercolour", "charcoal", "pen_and_ink",
+    "none", "raskar", "edge_mesh", "crease", "hiddenline", "fins", "two_pass", "cartoon",
+    "technical", "blueprint", "sketch", "brush", "pencil", "watercolour", "charcoal", "pen_and_ink",
     "edge_mesh:smooth=on,suggestive=on", "raskar:dash=16",
 )  # fmt: skip
 
@@ -155,10 +155,11 @@ def _once(groups: Sequence) -> Iterator:
             yield group
 
 
-def measured(style: Styler, motion: str, name: str, count: int, carrier: Carrier) -> Result:
+def measured(
+    style: Styler, motion: str, frames: Sequence[Frame], count: int, carrier: Carrier
+) -> Result:
     """Of a style over one motion of a subject."""
     found = Result()
-    frames = subject(name)
     studio = Studio(style, frames)  # a new one: what was drawn before a motion is forgotten
     before: Shown | None = None
     for k in range(count):
@@ -206,9 +207,10 @@ def main(given: list[str]) -> int:
     kept = [("style", True), ("motion", args.motions), ("subject", args.subjects)]
     labels = [label for label, wanted in kept if wanted]
     print("| " + " | ".join(labels) + " | " + HEAD + "---|" * len(labels) + "--:|" * 5, flush=True)
+    made = {name: subject(name) for name in names}  # programs have windows of their own
     for text in styles:
         # A process each: contexts keep what was made in them.
-        work = (text, tuple(names), tuple(motions), tuple(labels), args.frames)
+        work = (text, made, tuple(motions), tuple(labels), args.frames)
         with get_context("spawn").Pool(1) as one:
             for row in one.apply(rows_of, work):
                 print(row, flush=True)
@@ -216,17 +218,17 @@ def main(given: list[str]) -> int:
 
 
 def rows_of(
-    text: str, names: tuple[str, ...], motions: tuple[str, ...], labels: tuple[str, ...], count: int
-) -> list[str]:
+    text: str, made: Mapping[str, Sequence[Frame]], motions: tuple[str, ...],
+    labels: tuple[str, ...], count: int,
+) -> list[str]:  # fmt: skip
     """The rows of a style."""
     rows: dict[tuple[str, ...], Result] = {}
-    made = {name: subject(name) for name in names}  # programs have windows of their own
     with look.window(WIDTH, HEIGHT):
         carrier = Carrier(WIDTH, HEIGHT)
-        for name, motion in product(names, motions):
+        for name, motion in product(made, motions):
             if not fits(motion, made[name], count):
                 continue
-            found = measured(parse_style(text), motion, name, count, carrier)
+            found = measured(parse_style(text), motion, made[name], count, carrier)
             cells = {"style": f"`{text}`", "motion": motion, "subject": name}
             rows.setdefault(tuple(cells[label] for label in labels), Result()).add(found)
     return ["| " + " | ".join(key) + f" | {result.row()} |" for key, result in rows.items()]

@@ -95,7 +95,7 @@ def test_patterns_of_surfaces_lie_on_the_object(carrier, text):
 
 
 @pytest.mark.parametrize("motion", ["turn", "pan"])
-@pytest.mark.parametrize("text", ["sketch", "raskar:dash=16"])
+@pytest.mark.parametrize("text", ["sketch", "raskar:dash=16", "two_pass:dash=16"])
 def test_patterns_of_strokes_go_with_them(carrier, text, motion):
     """The floor's open sides, too, and what becomes an outline."""
     studio = Studio(parse_style(text), FRAMES)
@@ -103,7 +103,7 @@ def test_patterns_of_strokes_go_with_them(carrier, text, motion):
     kept = strokes.Kept()
     ahead = carrier.motion(one.frame, other.frame, other.depth)
     kept.add(one.samples, other.samples, ahead, one.depth)
-    assert kept.patterned > 500
+    assert kept.patterned > 300
     assert kept.drift / kept.patterned < 0.3
 
 
