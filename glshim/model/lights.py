@@ -53,9 +53,10 @@ class Lighting:
 
     @property
     def tint(self) -> Shade:
-        """The colour of all light together, the brightest channel 1."""
+        """The colour of all light together on white, the brightest channel 1."""
         shades = [shade for light in self.lights for shade in (light.diffuse, light.ambient)]
-        red, green, blue = (max(sum(of), 0.0) for of in zip(self.ambient, *shades, strict=True))
+        sums = map(sum, zip(self.ambient, *shades, strict=True))
+        red, green, blue = (min(max(of, 0.0), 1.0) for of in sums)
         most = max(red, green, blue)
         return (red / most, green / most, blue / most) if most > 0.0 else (1.0, 1.0, 1.0)
 

@@ -38,10 +38,13 @@ float banded(float light, bool crisp) {
 }
 
 // The colour of the light: bands are of its brightness alone, so that under lamps of several
-// colours none has patches of its own; half of it is that of all lamps together.
+// colours none has patches of its own; half of it is that of all lamps together. More than white
+// is white, as on the screen.
 vec3 hue(vec3 light) {
     vec3 all = vec3(0.0);
     for (int k = 0; k < lamps; ++k) all += lamp_shade[k];
+    all = min(all, 1.0);
+    light = min(light, 1.0);
     vec3 usual = brightest(all) > 0.0 ? all / brightest(all) : vec3(1.0);
     return brightest(light) > 0.0 ? mix(usual, light / brightest(light), LOCAL) : usual;
 }

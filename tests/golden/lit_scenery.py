@@ -232,3 +232,12 @@ def on_a_picture_with_a_margin():
     glPopMatrix()
     light((2.0, 5.0, 4.0, 0.0))
     ball(1.0)
+
+
+def between_lamps():
+    """Yellow and cyan from both sides: white between them, as on the screen."""
+    look((0.0, 2.0, 7.0), sky=(0.9, 0.9, 0.9))
+    light((-1.0, 0.0, 3.0, 0.0), GL_LIGHT0, (1.0, 1.0, 0.0))
+    light((1.0, 0.0, 3.0, 0.0), GL_LIGHT1, (0.0, 1.0, 1.0))
+    material((1.0, 1.0, 1.0, 1.0))
+    ball(1.6)

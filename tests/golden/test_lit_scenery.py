@@ -138,3 +138,11 @@ def test_about_a_picture_there_is_paper() -> None:
     assert np.abs(found - later).max() < 8
     assert found[:8].min() > 225
     assert np.abs(found[200, 60] - (40, 140, 60)).max() < 8
+
+
+@pytest.mark.parametrize("style", ["cartoon", "technical"])
+def test_what_lamps_make_white_together_is_white(style: str) -> None:
+    """Not green, which both of them have."""
+    plain, found = (shown(lit_scenery.between_lamps, each)[150, 200] for each in ("", style))
+    assert np.ptp(plain) < 0.1 * plain.max()
+    assert np.ptp(found) < 0.25 * found.max()

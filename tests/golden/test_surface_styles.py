@@ -96,10 +96,11 @@ def test_bands_are_those_of_the_reference(backend, name, bands):
     down, across = np.gradient(image)
     margin = 0.03 + 1.5 * (np.abs(down) + np.abs(across))[hit]
     near = np.abs(own[:, None] - np.arange(1, bands)).min(axis=1) < margin
-    together = np.sum([one.diffuse for one in lights], axis=0)
+    together = np.minimum(np.sum([one.diffuse for one in lights], axis=0), 1.0)
     together /= together.max()
     most = brightest[:, None]
-    hue = np.where(most > 0, (together + light / np.maximum(most, 1e-9)) / 2, together)
+    seen_light = np.minimum(light, 1.0) / np.clip(most, 1e-9, 1.0)
+    hue = np.where(most > 0, (together + seen_light) / 2, together)
     dark = 0.4 * np.array((128, 192, 255)) / 255
     wanted = np.asarray(PAINT) * ((1 - level) * dark + level * hue)
     off = np.abs(picture[hit] - wanted).max(axis=1)

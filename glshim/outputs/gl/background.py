@@ -37,6 +37,8 @@ from glshim.styling.values import Colour
 
 _MOST = 2000
 """Boxes of a picture that are filled one by one, the largest first."""
+_LITTLE = 0.1
+"""Of a picture: no more than that was drawn in the background's colour."""
 _CORNERS = np.array(((-1, -1), (3, -1), (-1, 3)), np.float32)
 """Of a triangle over every viewport. From arrays: where a program evaluates normals, Mesa shows it
 what was said before between glBegin and glEnd."""
@@ -61,7 +63,7 @@ def lay(places: Unbacked, colour: Colour) -> bool:
 
 
 def _bare(boxes: tuple[Box, ...], own: Colour) -> tuple[Box, ...]:
-    """The parts of boxes that have a colour; all of them if they cannot be read."""
+    """The parts of boxes that have a colour, where that is much; all if they cannot be read."""
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, integer(GL_DRAW_FRAMEBUFFER_BINDING))
     gl.glReadBuffer(integer(GL_DRAW_BUFFER))
     pack_plainly()
@@ -73,7 +75,8 @@ def _bare(boxes: tuple[Box, ...], own: Colour) -> tuple[Box, ...]:
         if gl.glGetError() != GL_NO_ERROR:
             return boxes
         alike = np.asarray((abs(seen - np.multiply(own, 255.0)) < 1.0).all(axis=2))
-        found += [(x + at[0], y + at[1], at[2], at[3]) for at in boxes_of(alike)]
+        if alike.mean() > _LITTLE:
+            found += [(x + at[0], y + at[1], at[2], at[3]) for at in boxes_of(alike)]
     found.sort(key=lambda at: at[2] * at[3], reverse=True)
     return tuple(found[:_MOST])
 
