@@ -322,8 +322,8 @@ def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Rows:
     scale = abs(camera.projection[1, 1]) * camera.viewport[3] / 2.0 / np.maximum(w, 1e-9)
     best = np.full(len(new.places), -1, np.intp)
     nearest = np.full(len(new.places), _REACH)
-    for right in (-1, 0, 1):
-        for up in (-1, 0, 1):
+    for right in (0, -1, 1):
+        for up in (0, -1, 1):
             wanted = _cell(new.places + _REACH * (right + 1j * up))
             first, last = np.searchsorted(keys, wanted), np.searchsorted(keys, wanted, "right")
             for k in range(_CROWD):
@@ -331,8 +331,11 @@ def _nearest(new: _Samples, old: _Samples, camera: Camera) -> Rows:
                 if not len(at):
                     break
                 who = order[first[at] + k]
+                flat = np.abs(old.places[who] - new.places[at])
+                near = flat < nearest[at]
+                at, who = at[near], who[near]
                 deep = dot(new.points[at] - old.points[who], sight[at]) * scale[at]
-                away = np.hypot(np.abs(old.places[who] - new.places[at]), _DEPTH * deep)
+                away = np.hypot(flat[near], _DEPTH * deep)
                 same = (old.along[who] * new.along[at].conj()).real
                 for strange in (old.group[who] != new.group[at], old.owner[who] != new.owner[at],
                                 same < 0.0):  # fmt: skip
