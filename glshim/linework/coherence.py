@@ -39,6 +39,8 @@ _OCTAVE = 1.7
 """How much too long or too short a pattern may become on the screen; more than the root of two."""
 _MOST_STRETCHED = 2.0
 """How much so it stays anywhere along a stroke."""
+_MOST_TURNED = np.radians(15.0)
+"""In a frame."""
 _MOST_PASTS = 4
 """Pasts of a view."""
 _DEPTH = 0.3
@@ -251,19 +253,22 @@ def _samples(walk: Walk) -> tuple[Rows, Doubles]:
 
 
 def _now(past: Past, objects: NamedObjects, camera: Camera) -> _Samples:
-    """Old samples where they are now, moved with their objects; NaN where that is not known."""
+    """Old samples where they are now, moved with their objects; NaN where that is not known, and
+    of objects that have turned too far to be followed: what they show now is something else."""
     before = tuple(zip(past.names, past.modelviews, strict=True))
     motions, owners = np.full((len(before), 4, 4), np.nan), np.full(len(before), -1, np.intp)
     for old, new in paired(before, objects).items():
         owners[old] = new
         try:
-            motions[old] = objects[new][1] @ np.linalg.inv(before[old][1])
+            motion = objects[new][1] @ np.linalg.inv(before[old][1])
         except np.linalg.LinAlgError:
-            motions[old] = np.eye(4)
+            motion = np.eye(4)
+        if _turns(motion) < _MOST_TURNED:
+            motions[old] = motion
     with np.errstate(all="ignore"):
-        motion = motions[past.owner]
+        moved = motions[past.owner]
         points, tips = (
-            np.einsum("nij,nj->ni", motion[:, :3, :3], some) + motion[:, :3, 3]
+            np.einsum("nij,nj->ni", moved[:, :3, :3], some) + moved[:, :3, 3]
             for some in (past.points, past.tips)
         )
         places = _places(points, camera)
@@ -272,6 +277,14 @@ def _now(past: Past, objects: NamedObjects, camera: Camera) -> _Samples:
         along = way / reach
     owner = owners[past.owner]
     return _Samples(points, tips, places, along, reach, past.group, owner, past.edge)
+
+
+def _turns(motion: Doubles) -> float:
+    """Radians by which a motion (4, 4) turns things."""
+    linear = motion[:3, :3]
+    size = abs(float(np.linalg.det(linear))) ** (1.0 / 3.0)
+    cosine = 0.5 * (float(np.trace(linear)) / max(size, 1e-30) - 1.0)
+    return float(np.arccos(np.clip(cosine, -1.0, 1.0)))
 
 
 def latest(pasts: tuple[Past, ...], names: Sequence[Hashable]) -> Past | None:

@@ -225,14 +225,13 @@ def drift(backend, mesh, cameras, width=6.0):
 
 @pytest.mark.parametrize("name", ["torus", "sphere"])
 def test_the_pattern_does_not_jump_in_a_slow_turn(backend, name):
-    """Half a degree a frame. Where a repeat is gained or lost the whole moves by up to half of one,
-    away from the loop's top; else hardly."""
+    """Half a degree a frame, which is a pixel or so: it goes with the object."""
     cameras = [camera_at(20 + 0.5 * k, 35 + 0.25 * k) for k in range(60)]
     moved = np.abs(drift(backend, look.MESHES[name](), cameras))
     print(f"{name}: mean shift {moved.mean():.2f} px, median {np.median(moved):.2f}, "
           f"most {moved.max():.2f} of a period of 30")  # fmt: skip
-    assert moved.mean() < 1.0
-    assert (moved > 4.0).mean() < 0.1
+    assert moved.mean() < 1.5
+    assert moved.max() < 3.0
 
 
 def test_intersections_have_the_texture_too(backend):

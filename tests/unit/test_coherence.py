@@ -265,6 +265,17 @@ def test_a_pattern_that_is_stretched_moves_with_its_object_and_then_stands_still
     assert apart(frame.walk.begin, before.walk.begin).max() < 0.5
 
 
+@pytest.mark.parametrize("degrees", [8, 40])
+def test_what_has_turned_too_far_begins_anew(degrees):
+    angle = np.radians(degrees)
+    turn = np.eye(4)
+    turn[:2, :2] = (np.cos(angle), -np.sin(angle)), (np.sin(angle), np.cos(angle))
+    before = shifted(drawn(cut(STRAIGHT)), 0.37)
+    lines = tuple(end @ turn[:3, :3].T for end in cut(STRAIGHT))
+    after = drawn(lines, objects=(("it", turn),), past=keep(before))
+    assert (apart(after.walk.begin, before.walk.begin).max() < 0.5) == (degrees < 15)
+
+
 @pytest.mark.parametrize("factor", [1.04, 1 / 1.04])
 def test_repeats_come_by_octaves_when_the_viewer_comes_near_or_goes(factor):
     """The pattern is never much longer or shorter on the screen than it should be, and where two
