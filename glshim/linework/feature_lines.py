@@ -18,6 +18,7 @@ from glshim.geometry.edges.edges import Edges
 from glshim.geometry.edges.folds import FLAT, Folds, Topology
 from glshim.geometry.edges.gather import Placement
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.geometry.recovery.outward import signs_of
 from glshim.linework.coherence import Past
 from glshim.linework.hand import own_numbers
 from glshim.linework.patterns import lay_pattern
@@ -30,9 +31,10 @@ from glshim.linework.polygon_lines import (
     shared_edge_lines,
     single_side_lines,
 )
-from glshim.linework.side_by_side import mark_shared
+from glshim.linework.side_by_side import mark, mark_shared
 from glshim.linework.smooth_lines import SmoothPieces
 from glshim.linework.steady import MARGIN, Creases
+from glshim.linework.touching import Touching, sharp_sides, touching
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.dihedral import GRAIN, is_ridge, is_valley
@@ -52,8 +54,6 @@ from glshim.model.lines import (
 )
 from glshim.model.vectors import dot, unit
 from glshim.styling.wishes import Choice, Features
-
-_SHARP_EDGES = Features(contours=True, ridge_angle=SHARP, valley_angle=2.0 * np.pi - SHARP)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,6 +94,20 @@ class EdgeLines:
         """The mesh cut open at its creases."""
         return SmoothPieces(self.topology, self.positions, self.normals, self.folds(None))
 
+    @cached_property
+    def sharp(self) -> Rows:
+        """(S,) edges of two triangles that are no contours of a smooth surface."""
+        return np.flatnonzero(self.folds(None).leaning(np.pi - SHARP) & self.topology.plain)
+
+    @cached_property
+    def outward(self) -> Doubles:
+        """(T,) +1 where normals point out of a solid, -1 where they point into it, 0 of open
+        surfaces."""
+        topology = self.topology
+        corners = self.positions[topology.triangles].astype(np.float64)
+        signs = signs_of(corners, topology.components)[topology.components]
+        return np.asarray(np.where(topology.closed, signs, 0.0))
+
     def folds(self, linear: Doubles | None) -> Folds:
         """The dihedral angles in object space, or in the space that a linear part (3, 3) leads
         to, which are kept: objects that only turn keep their angles."""
@@ -107,16 +121,24 @@ class EdgeLines:
 
     def decided(self, modelview: Doubles, camera: Camera, wanted: Features) -> Decided:
         """Which edges are features as a camera sees them, of an object under a modelview."""
-        return self._seen(modelview, camera).decided(wanted)
+        return _Seen(self, camera.under(modelview)).decided(wanted)
 
-    def records(self, modelview: Doubles, camera: Camera, wanted: Features) -> Floats:
-        """(L, 21) records of the features as a camera sees them, of an object under a modelview.
-        Outlines do not know yet where they go on."""
-        seen = self._seen(modelview, camera)
+    def records(
+        self,
+        modelview: Doubles,
+        camera: Camera,
+        wanted: Features,
+        touching: Touching | None = None,
+    ) -> Floats:
+        """(L, 21) records of the features as a camera sees them, of an object under a modelview
+        that touches others. Outlines do not know yet where they go on."""
+        seen = _Seen(self, camera.under(modelview), touching)
         edges = seen.decided(wanted)
         pieces = []
         if wanted.contours:
-            smooth = self.pieces.contours(modelview, camera) if wanted.smooth else None
+            smooth = (
+                self.pieces.contours(modelview, camera, touching) if wanted.smooth else None
+            )
             if smooth is None:
                 rows = edges.contours
                 angles = self.folds(None).dihedral(rows)
@@ -144,15 +166,14 @@ class EdgeLines:
             each.astype(np.intp), nothing, nothing, np.empty(0, np.bool_),
         )  # fmt: skip
 
-    def _seen(self, modelview: Doubles, camera: Camera) -> _Seen:
-        return _Seen(self, camera.under(modelview))
-
 
 class _Seen:
     """Edges as a camera sees them; its modelview is theirs."""
 
-    def __init__(self, lines: EdgeLines, camera: Camera) -> None:
-        self._lines, self._camera = lines, camera
+    def __init__(
+        self, lines: EdgeLines, camera: Camera, touching: Touching | None = None
+    ) -> None:
+        self._lines, self._camera, self._touching = lines, camera, touching
         self._ccw: Flags = lines.planes @ camera.object_centre > 0.0
         topology = lines.topology
         self.ccw_a: Flags = self._ccw[topology.a]
@@ -226,7 +247,11 @@ class _Seen:
         return rows, np.where(ahead != mirrored, angles, 2.0 * np.pi - angles)
 
     def records(self, rows: Rows, kind: int | Rows, *, outline: bool = False) -> Floats:
-        """Records of edges; of an outline with the normal of its back-facing triangle."""
+        """Records of edges, but of those inside what touches; of an outline with the normal of
+        its back-facing triangle."""
+        if self._touching is not None:
+            kept = ~self._touching.inside[rows]
+            rows, kind = rows[kept], kind if isinstance(kind, int) else kind[kept]
         lines, modelview = self._lines, self._camera.modelview
         topology = lines.topology
         records = np.zeros((len(rows), RECORD), np.float32)
@@ -245,6 +270,8 @@ class _Seen:
         if not outline:
             records[:, Line.OTHER_NORMAL] = unit(lines.normals[b] @ turn.T)
         records[:, Line.KIND] = kind
+        if self._touching is not None:
+            mark(records, self._touching.shared[rows])
         records[:, Line.NUMBER] = own_numbers(rows)
         return records
 
@@ -259,24 +286,24 @@ def feature_lines(
     space. The camera's own modelview counts for nothing. With a pattern also what the next frame's
     patterns follow; past is what the frame before gave."""
     own = replace(wanted, boundary=False)
-    parts = [_sound(lines.records(modelview, camera, own)) for lines, modelview in objects]
+    touches = touching(objects) if len(objects) > 1 else [None] * len(objects)
+    parts = [
+        _sound(lines.records(modelview, camera, own, touch))
+        for (lines, modelview), touch in zip(objects, touches, strict=True)
+    ]
     owner = np.repeat(np.arange(len(parts)), [len(part) for part in parts])
     across, whose = _across(objects, camera, wanted)
     sound = np.isfinite(across).all(axis=1)
-    whole = np.concatenate((*parts, across[sound]))
+    across, whose = across[sound], whose[sound]
+    if len(objects) > 1 and len(across):
+        mark_shared(across, sharp_sides(objects))
+    whole = np.concatenate((*parts, across))
     run_on(whole)
-    if len(objects) > 1:
-        among = None
-        if not wanted.contours or None in (wanted.ridge_angle, wanted.valley_angle):
-            among = np.concatenate(
-                [_sound(lines.records(at, camera, _SHARP_EDGES)) for lines, at in objects]
-            )
-        mark_shared(whole, among)
     if wanted.pattern is None:
         return whole, None
     modelviews = (modelview for _, modelview in objects)
     placed = tuple(zip(names_of(objects), modelviews, strict=True))
-    owner = np.concatenate((owner, whose[sound]))
+    owner = np.concatenate((owner, whose))
     return whole, lay_pattern(whole, owner, placed, camera, wanted.pattern, past=past)
 
 

@@ -10,34 +10,28 @@ import numpy as np
 
 from glshim.geometry.edges.edges import neighbours
 from glshim.geometry.edges.pieces import pieces
-from glshim.model.arrays import Flags, Floats, Rows
+from glshim.model.arrays import Flags, Floats
 from glshim.model.lines import RIDGE, RING, SHARED, VALLEY, Line, kind_of
 
 
-def mark_shared(records: Floats, among: Floats | None = None) -> None:
+def mark(records: Floats, shared: Flags) -> None:
+    """Write into the kinds of records (L, 21) of sharp edges which of them (L,) lie on others."""
+    sharp = np.isin(kind_of(records), (RING, RIDGE, VALLEY))
+    records[shared & sharp, Line.KIND] += SHARED
+
+
+def mark_shared(records: Floats, besides: Floats | None = None) -> None:
     """Write into the kinds of records (L, 21) of sharp edges which lie on others, or on a part of
-    others: of each other, or of among (M, 21), which holds them all."""
-    sharp, every = _sharp(records), records if among is None else among
-    sides = np.ascontiguousarray(every[_sharp(every), Line.ENDS])
-    if not len(sharp) or len(sides) < 2:
+    others: of each other, or of the sides besides (M, 6)."""
+    sharp = np.flatnonzero(np.isin(kind_of(records), (RING, RIDGE, VALLEY)))
+    if not len(sharp):
         return
-    shared = _on_others(sides)
-    if not shared.any():
-        return
-    if among is None:
+    sides = records[sharp, Line.ENDS]
+    if besides is not None:
+        sides = np.concatenate((sides, besides))
+    if len(sides) > 1:
+        shared = _on_others(np.ascontiguousarray(sides))[: len(sharp)]
         records[sharp[shared], Line.KIND] += SHARED
-        return
-    own = np.concatenate((records[sharp, Line.ENDS], sides[shared]))
-    order, first, _ = neighbours(own, None)
-    edge = np.empty(len(own), np.intp)
-    edge[order] = np.repeat(np.arange(len(first)), np.diff(first, append=len(own)))
-    found = np.zeros(len(first), np.bool_)
-    found[edge[len(sharp) :]] = True
-    records[sharp[found[edge[: len(sharp)]]], Line.KIND] += SHARED
-
-
-def _sharp(records: Floats) -> Rows:
-    return np.flatnonzero(np.isin(kind_of(records), (RING, RIDGE, VALLEY)))
 
 
 def _on_others(sides: Floats) -> Flags:

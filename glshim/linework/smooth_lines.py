@@ -19,7 +19,9 @@ from glshim.geometry.contour.curvature import (
 )
 from glshim.geometry.edges.folds import Folds, Topology
 from glshim.linework.polygon_lines import SHARP
+from glshim.linework.side_by_side import mark
 from glshim.linework.steady import View
+from glshim.linework.touching import Touching
 from glshim.model.arrays import Doubles, Floats, Indices, Rows
 from glshim.model.camera import Camera, cofactors
 from glshim.model.lines import (
@@ -99,7 +101,9 @@ class SmoothPieces:
         found = [[at.corner(of[rows], ends[:, k]) for k in (0, 1)] for of in (at.a, at.b)]
         return np.asarray(self.triangles.ravel()[np.array(found)].transpose(2, 0, 1))
 
-    def contours(self, modelview: Doubles, camera: Camera) -> Floats | None:
+    def contours(
+        self, modelview: Doubles, camera: Camera, touching: Touching | None = None
+    ) -> Floats | None:
         """(L, 21) records of smooth contours as outlines (Hertzmann & Zorin 2000), and of creases
         as far as the smooth surfaces on either side face unlike ways: contours of one end where
         those of the other go on. None without a viewer in object space."""
@@ -112,9 +116,9 @@ class SmoothPieces:
         view = _View(modelview, camera)
         smooth = self._records(found.ends, found.triangle, lift, view)
         smooth[:, Line.KIND] = CONTOUR
-        return np.concatenate((smooth, self._folded(front, view)))
+        return np.concatenate((smooth, self._folded(front, view, touching)))
 
-    def _folded(self, front: Floats, view: _View) -> Floats:
+    def _folded(self, front: Floats, view: _View, touching: Touching | None) -> Floats:
         """(L, 21) records of parts of creases, by which way the vertices face (C,)."""
         at, flanks = self._topology, self._flanks
         faces = front[flanks].astype(np.float64)
@@ -126,6 +130,8 @@ class SmoothPieces:
         share = np.where(changes, np.clip(share, 0.0, 1.0), 1.0)
         cuts = np.c_[np.zeros(len(share)), np.sort(share, axis=1), np.ones(len(share))]
         apart = np.stack((begins, ~begins, begins), axis=1) & (cuts[:, :-1] < cuts[:, 1:])
+        if touching is not None:
+            apart &= ~touching.inside[self._creases, None]
         which, part = np.nonzero(apart)
         rows = self._creases[which]
         along = np.stack((cuts[which, part], cuts[which, part + 1]), axis=1)
@@ -140,6 +146,8 @@ class SmoothPieces:
         found = self._records(ends, own, lift, view)
         angles = self._folds.dihedral(rows)
         found[:, Line.KIND] = np.select([angles <= SHARP, angles <= np.pi], [RING, CONTOUR], HOLLOW)
+        if touching is not None:
+            mark(found, touching.shared[rows])
         return found
 
     def suggestive(self, modelview: Doubles, camera: Camera) -> Floats | None:

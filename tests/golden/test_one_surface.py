@@ -189,6 +189,34 @@ def test_bodies_that_touch_along_a_curve_are_one(view: None, style: str) -> None
     assert changed(style, partial(capsule, 3), partial(capsule, 1)).mean() < 0.002
 
 
+@pytest.mark.parametrize("hidden", ["dimmed", "solid"])
+def test_a_wall_of_cubes_has_no_hidden_lines_inside(view: None, hidden: str) -> None:
+    style = f"technical:paper=app,hidden={hidden}"
+    assert changed(style, cubes, whole).mean() < 0.002
+
+
+def test_inner_faces_of_a_wall_are_not_hatched(view: None) -> None:
+    """They lie edge on in the face that is seen."""
+
+    def wall() -> None:
+        GL.glLoadIdentity()
+        GLU.gluLookAt(0.1, 0.0, 4.0, 0.1, 0.0, 0.0, 0.0, 1.0, 0.0)
+        for x in range(-2, 3):
+            box(float(x), 0.0, 0.0)
+        at.append([int(GLU.gluProject(x + 0.5, 0.0, 0.5)[0]) for x in range(-2, 2)])
+
+    at: list[list[int]] = []
+    with_, without = (
+        picture(style, wall).mean(axis=2) for style in ("sketch:hatching=1", "sketch:hatching=0")
+    )
+    drawn = np.maximum(without - with_, 0.0)[120:180].mean(axis=0)
+    assert drawn.mean() > 0.01
+    for seam in at[0]:
+        if 20 < seam < SIZE - 20:
+            beside = drawn[seam - 20 : seam + 21].mean()
+            assert drawn[seam - 2 : seam + 3].max() < 2.0 * beside
+
+
 def crossing() -> None:
     whole()
     GL.glPushMatrix()

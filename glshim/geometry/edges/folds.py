@@ -42,6 +42,10 @@ class Topology:
         """(E,) sides inside of polygons."""
         self.single_sided: Flags = mesh.closed[mesh.faces[:, 0]]
         """(E,) the component is closed: only the side that the app calls front may be seen."""
+        self.components: Indices = mesh.components
+        """(T,) which hang together."""
+        self.closed: Flags = mesh.closed
+        """(T,) their component is closed."""
         listed = mesh.marked
         self.plain: Flags = ~alone & ~listed
         """(E,) edges of two triangles that what these are decides about."""

@@ -26,7 +26,7 @@ def outward(mesh: Mesh) -> Floats:
     if not len(mesh.triangles):
         return found
     label = mesh.components
-    sign = _signs(mesh.positions[mesh.triangles].astype(np.float64), label)
+    sign = signs_of(mesh.positions[mesh.triangles].astype(np.float64), label)
     found[mesh.triangles] = sign[label][:, None]
     return found
 
@@ -46,10 +46,10 @@ def outward_sign(triangles: NDArray[np.floating]) -> float:
     hollow = np.abs(share) >= _HOLLOW
     if hollow.any():
         return float(np.sign(volume[hollow].sum()))
-    return float(_signs(sound, np.zeros(len(sound), np.intp))[0])
+    return float(signs_of(sound, np.zeros(len(sound), np.intp))[0])
 
 
-def _signs(corners: Doubles, label: NDArray[np.integer]) -> Doubles:
+def signs_of(corners: Doubles, label: NDArray[np.integer]) -> Doubles:
     """(L,) of each label that triangles (T, 3, 3) bear (T,): the sign of the volume that they
     enclose, 0 where that is next to nothing."""
     share = _enclosed(corners, label)[1]

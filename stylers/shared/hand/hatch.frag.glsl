@@ -9,6 +9,7 @@
 
 uniform mat4 projection;
 uniform vec4 viewport;
+uniform vec2 range;         // window depths of the near and the far plane, greater is farther
 uniform mat4 modelview;
 uniform sampler2D app_colour;
 uniform sampler2D stroke;   // the paper's grain
@@ -24,6 +25,8 @@ uniform float jitter;       // pixels by which strokes stray
 uniform float jitter_seed;
 uniform float soft;         // strokes of a soft lead, 0..1
 uniform float coloured;     // share of the program's own colours in the ink
+
+const float EDGE_ON = 0.4;  // cosine between a triangle's normal and the line of sight
 
 in vec3 spot;
 in vec3 upright;
@@ -79,9 +82,28 @@ float lit(vec3 n) {
     return found / all;
 }
 
+// Whether depth goes on from here as the triangle does, to one side at least.
+bool goes_on(vec2 way, float here, float rise) {
+    float most = 0.6 * abs(rise) + hair;
+    return abs(finished(gl_FragCoord.xy + way) - here - rise) <= most
+        || abs(finished(gl_FragCoord.xy - way) - here + rise) <= most;
+}
+
+// Whether the triangle is what is seen here. Of one that is seen nearly edge on the rim may be as
+// near as what hides the rest: the inner faces of boxes side by side.
+bool is_seen(vec3 sight) {
+    vec3 area = cross(dFdx(spot), dFdy(spot));
+    vec2 place = (projection * vec4(spot, 1.0)).zw;
+    float here = mix(range.x, range.y, 0.5 + 0.5 * place.x / place.y);
+    vec2 rise = vec2(dFdx(here), dFdy(here));
+    if (abs(dot(area, sight)) > EDGE_ON * length(area)) return true;
+    return goes_on(vec2(1.0, 0.0), here, rise.x) && goes_on(vec2(0.0, 1.0), here, rise.y);
+}
+
 void main() {
     vec3 sight = normalize(viewpoint.xyz - viewpoint.w * spot);
     vec3 n = seen_normal(spot, upright, sight);
+    bool hidden = !is_seen(sight);
     float light = lit(n);
     vec3 shown = texelFetch(app_colour, ivec2(gl_FragCoord.xy), 0).rgb;
     float picture = dot(shown, vec3(0.299, 0.587, 0.114));
@@ -94,7 +116,7 @@ void main() {
     float cover = strokes(first, smoothstep(0.08, 0.8, dark), 0.0, n, sight);
     cover = max(cover, strokes(second, smoothstep(0.5, 0.95, dark), 1.0, n, sight));
     cover = max(cover, strokes(third, smoothstep(0.75, 1.1, dark), 2.0, n, sight));
-    if (cover <= 0.004) discard;
+    if (hidden || cover <= 0.004) discard;
     float value = max(max(shown.r, shown.g), max(shown.b, 0.05));
     vec3 crayon = shown / value * (0.25 + 0.4 * value);
     colour = vec4(mix(ink, crayon, coloured), 1.0) * cover;
