@@ -14,9 +14,10 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from glshim.geometry.edges.edges import neighbours
 from glshim.geometry.edges.folds import Topology
 from glshim.geometry.edges.pieces import pieces
+from glshim.geometry.recovery.junctions import PARTED
+from glshim.geometry.recovery.welding import weld
 from glshim.model.arrays import Doubles, Flags, Floats, Rows
 from glshim.model.camera import cofactors
 from glshim.model.vectors import cross, dot, unit
@@ -157,8 +158,12 @@ class _Found:
 
 def _met(sides: Floats) -> tuple[Rows, Rows]:
     """(N,) the edge of each of sides (N, 6), by number, and how many lie on each."""
-    order, first, _ = neighbours(sides, None)
-    size = np.diff(first, append=len(order))
-    edge = np.empty(len(sides), np.intp)
-    edge[order] = np.repeat(np.arange(len(first)), size)
-    return edge, size
+    if not len(sides):
+        return np.empty(0, np.intp), np.empty(0, np.intp)
+    points = sides.reshape(-1, 3)
+    extent = float((points.max(axis=0) - points.min(axis=0)).max())
+    ends = np.sort(weld(points, extent * PARTED)[1].reshape(-1, 2).astype(np.int64), axis=1)
+    alone = ends[:, 0] == ends[:, 1]  # shorter than that: an edge of its own
+    key = np.where(alone, -1 - np.arange(len(ends)), ends[:, 0] << 32 | ends[:, 1])
+    _, edge, size = np.unique(key, return_inverse=True, return_counts=True)
+    return edge.reshape(-1), size

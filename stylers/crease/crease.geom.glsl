@@ -75,11 +75,12 @@ void main() {
         bool crease = (flags >> (k + 1) & 1) == 1, open = (flags >> (k + 4) & 1) == 1;
         if (verified == 1)
             crease = says_crease(difference[a], difference[b], normalize(place[b] - place[a]));
-        if (!crease) continue;
+        if (!crease || is_inside(k)) continue;
         bool contour = open || (front && !is_front(flags, a, across, b));
         int own = open ? OPEN : contour && parted == 1 ? OUTER
                 : is_ridge(a, b, c, across) ? OUT : IN;
         if ((kinds & own) == 0) continue;
-        emit(a, b, c, across, contour, open ? RING + 16 * (BOUNDARY - 3) : contour ? RING : RIDGE);
+        int kind = open ? RING + 16 * (BOUNDARY - 3) : contour ? RING : RIDGE;
+        emit(a, b, c, across, contour, kind + (is_shared(k) ? SHARED : 0));
     }
 }

@@ -57,7 +57,7 @@ int kind_of(int a, int b, int c, int across) {
     return dot(own, other) < -SHARP * lengths ? RING : CONTOUR;
 }
 
-void emit(int a, int b, int c, int across, int shape) {
+void emit(int a, int b, int c, int across, int shape, bool shared) {
     vec3 eye_a = (modelview * vec4(place[a], 1.0)).xyz;
     vec3 eye_b = (modelview * vec4(place[b], 1.0)).xyz;
     if (!cut(eye_a, eye_b)) return;
@@ -78,9 +78,10 @@ void emit(int a, int b, int c, int across, int shape) {
     vec2 v = (to.xy - from.xy) / size, n = vec2(v.y, -v.x);
     float deep = pixel_depth(eye_a, normalize(eye_b - eye_a));
     float slack = slack_of(shape, deep, abs(to.z - from.z) / size);
+    int marked = shape + (shared && shape == RING ? SHARED : 0);
     line_a = from;
     line_b = to;
-    extent = vec3(-half_width, half_width, float(shape));
+    extent = vec3(-half_width, half_width, float(marked));
     grain = vec2(deep, slack + hair + blur * deep);
     slopes = vec4(0.0);
     take_stroke();
@@ -98,7 +99,7 @@ void emit(int a, int b, int c, int across, int shape) {
         line_b = to;
         onwards = repeats = vec2(0.0);
         slopes = vec4(0.0);
-        extent = vec3(-half_width, half_width, float(shape));
+        extent = vec3(-half_width, half_width, float(marked));
         grain = vec2(deep, slack + hair + blur * deep);
 #endif
         float t = i < 2 ? -beyond_end : size + beyond_end, s = (i & 1) == 0 ? -side : side;
@@ -113,29 +114,30 @@ void emit(int a, int b, int c, int across, int shape) {
 
 // In the article the front triangle draws the edge; here the one whose corner off it has the lesser
 // number. At a twisted edge (a Moebius strip) both are front faces, or neither is.
-bool draws(int a, int b, int c, int across) {
+bool draws(int a, int b, int c, int across, int side) {
+    if (is_inside(side)) return false;
     if (number[across] == number[a]) return (kinds & OPEN) != 0;
     if ((kinds & CONTOURS) == 0) return false;
     return number[c] <= number[across] && is_front(a, b, c) != is_front(a, across, b);
 }
 
-void draw(int a, int b, int c, int across) {
-    if (number[across] == number[a]) emit(a, b, c, a, OPEN_SIDE);
-    else emit(a, b, c, across, kind_of(a, b, c, across));
+void draw(int a, int b, int c, int across, int side) {
+    if (number[across] == number[a]) emit(a, b, c, a, OPEN_SIDE, false);
+    else emit(a, b, c, across, kind_of(a, b, c, across), is_shared(side));
 }
 
 void main() {
 #ifdef LINES
-    if (draws(1, 2, 0, 3)) draw(1, 2, 0, 3);
+    if (draws(1, 2, 0, 3, 0)) draw(1, 2, 0, 3, 0);
 #else
     int drawn = 0;  // bits of its sides
     for (int k = 0; k < 3; ++k)
-        if (draws(2 * k, (2 * k + 2) % 6, (2 * k + 4) % 6, 2 * k + 1)) drawn |= 1 << k;
+        if (draws(2 * k, (2 * k + 2) % 6, (2 * k + 4) % 6, 2 * k + 1, k)) drawn |= 1 << k;
     // A side at a time, whichever it is: drivers in software run several triangles in step.
     while (drawn != 0) {
         int a = (drawn & 1) != 0 ? 0 : (drawn & 2) != 0 ? 2 : 4;
         drawn &= drawn - 1;
-        draw(a, (a + 2) % 6, (a + 4) % 6, a + 1);
+        draw(a, (a + 2) % 6, (a + 4) % 6, a + 1, a / 2);
     }
 #endif
 }

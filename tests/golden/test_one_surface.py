@@ -174,11 +174,9 @@ def capsule(parts: int) -> None:
 
 SEEN = tuple(style for style in STYLES if "strokes=quads" not in style)
 """All but the one that draws what the mesh says, as its paper does."""
-CHAINED = tuple(style for style in SEEN if style.partition(":")[0] not in ("crease", "fins"))
-"""Those that know more bodies than one."""
 
 
-@pytest.mark.parametrize("style", some(CHAINED, 5, 2))
+@pytest.mark.parametrize("style", some(SEEN, 5, 2))
 def test_a_wall_of_cubes_is_one_face(view: None, style: str) -> None:
     """Eight bodies side by side, each under a matrix of its own."""
     assert changed(style, cubes, whole).mean() < 0.002

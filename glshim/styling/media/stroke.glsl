@@ -12,6 +12,7 @@ PASSED vec2 repeats;  // of a pattern at a and at b; the same where there is non
 PASSED vec2 grain;    // depth of a pixel at 45 degrees; depth that counts as seen
 
 const int GROUPS = 8, MARKED = 4, BOUNDARY = 5, SUGGESTIVE = 6;  // of lines: glshim/model/lines.py
+const int SHARED = 8 * 16;  // added to kinds of lines that lie on other objects
 uniform float hidden_share;  // ink of what is hidden, of one
 uniform vec2 ridge_turn;     // cosine and sine of the threshold angle of ridges
 

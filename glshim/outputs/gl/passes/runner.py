@@ -14,6 +14,7 @@ from glshim.driver.functions import gl
 from glshim.errors import RenderError
 from glshim.geometry.meshshaders.poses import Keyframes, Pose
 from glshim.linework.objects import Objects
+from glshim.linework.touching import Touching
 from glshim.model.camera import Camera
 from glshim.notices import say_once
 from glshim.outputs.gl.device.arrays import put_away
@@ -32,6 +33,7 @@ from glshim.outputs.gl.passes.meshprograms import MeshPrograms
 from glshim.outputs.gl.passes.sieved import UNIT as SIEVED_UNIT
 from glshim.outputs.gl.passes.stage import Stage
 from glshim.outputs.gl.passes.state import set_state
+from glshim.outputs.gl.passes.together import Together
 from glshim.spec.constants import (
     GL_FLOAT,
     GL_LINES,
@@ -60,6 +62,7 @@ class Runner:
 
     def __init__(self, device: ModernDevice, objects: Objects, most_bytes: int) -> None:
         self.residents = Residents(device, objects, most_bytes)
+        self._together = Together(objects)
         self._stage = Stage(device)
         self._colour = ColourCopy()
         self._gbuffer: GBuffer | None = None
@@ -94,6 +97,7 @@ class Runner:
                 self._turn_to_buffer(frame) if one.buffer else self._stage.reopen()
                 before = one.buffer
             set_state(one.state, reversed_depth)
+            touching = self._together.find(one) if one.lines and one.sieve else {}
             for body in one.bodies:
                 camera = body.camera.affine()
                 if not all(map(isfinite, camera.modelview.ravel().tolist())):
@@ -104,7 +108,9 @@ class Runner:
                 inputs = views[lens]
                 if inputs is None:
                     continue
-                self._draw(one, replace(body, camera=camera), inputs, box)
+                self._draw(
+                    one, replace(body, camera=camera), inputs, box, touching.get(id(body))
+                )
             self.residents.release()
         put_away((0,))
         if before:
@@ -127,8 +133,15 @@ class Runner:
         self._gbuffer.open(frame.box, reversed_depth=frame.reversed_depth)
         self._gbuffer.bind_texture()
 
-    def _draw(self, one: Pass, body: Body, inputs: dict[str, Any], box: Box) -> None:
-        ready = self._ready(one, body, inputs)
+    def _draw(
+        self,
+        one: Pass,
+        body: Body,
+        inputs: dict[str, Any],
+        box: Box,
+        touching: Touching | None = None,
+    ) -> None:
+        ready = self._ready(one, body, inputs, touching)
         if ready is None:
             return
         camera = body.camera
@@ -138,7 +151,9 @@ class Runner:
         issue(one, ready)
         ready.release()
 
-    def _ready(self, one: Pass, body: Body, inputs: dict[str, Any]) -> Ready | None:
+    def _ready(
+        self, one: Pass, body: Body, inputs: dict[str, Any], touching: Touching | None = None
+    ) -> Ready | None:
         """A pass over a body with its textures bound, its uniforms set and its program in use."""
         camera = body.camera
         resident: Resident | None = None
@@ -174,7 +189,9 @@ class Runner:
             )
         seen = seen_from(camera, one.light if lit else None)
         if resident is not None and sieve is not None:
-            count = resident.sieved.bind(np.array(seen["eye"]), sieve, one.element)
+            count = resident.sieved.bind(
+                np.array(seen["eye"]), sieve, one.element, touching
+            )
             if not count:
                 return None
         program.use(inputs, seen, _UNITS, {"vertices_each": each}, one.uniforms)

@@ -17,6 +17,7 @@ from glshim.geometry.meshshaders.extent import Extent
 from glshim.geometry.meshshaders.sieve import EdgeSieve, TriangleSieve
 from glshim.geometry.recovery.halfedges import twins, with_adjacency
 from glshim.geometry.recovery.mesh import Mesh
+from glshim.linework.touching import Touching
 from glshim.outputs.gl.device.buffers import Buffer
 from glshim.outputs.gl.device.devices import ModernDevice
 from glshim.outputs.gl.device.uploads import upload
@@ -40,7 +41,8 @@ _LINE = np.array((4, 0, 2, 1))
 class _Remaining:
     """What a sieve left for the last eye that looked."""
 
-    eye: bytes = b""
+    name: bytes = b""
+    """Of what it depends on."""
     texture: int = 0
     """Of the numbers."""
     count: int = 0
@@ -95,17 +97,29 @@ class Sieved:
         places = (2 * side[:, None] + _LINE) % 6 + 6 * (rows // 3)[:, None]
         return np.asarray(self.adjacency.ravel().take(places))
 
-    def bind(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> int:
-        """Bind the texture of the elements that remain at `UNIT`, and the indices of what has any;
-        how many those are."""
+    def bind(
+        self,
+        eye: NDArray[np.float64],
+        sieve: Sieve,
+        element: Element,
+        touching: Touching | None = None,
+    ) -> int:
+        """Bind the texture of the elements that remain at `UNIT`, with how their sides touch other
+        objects, and the indices of what has any; how many those are."""
         left = self._left.setdefault((sieve.wanted, sieve.angles, element), _Remaining())
-        if left.eye != eye.tobytes():
+        bits = None if touching is None else self._bits(touching)
+        name = eye.tobytes() + (b"" if bits is None else bits.tobytes())
+        if left.name != name:
             rows = self._remaining(eye, sieve, element)
             if left.texture:
                 delete(TEXTURE, (left.texture,))
             texels = np.zeros((len(rows), 4), np.int32)
             texels[:, 0] = rows
-            left.eye, left.texture, left.count = eye.tobytes(), upload(texels), len(rows)
+            if bits is not None and element == "adjacency":
+                texels[:, 1] = bits[rows]
+            elif bits is not None and element == "lines":
+                texels[:, 1] = bits[rows // 3] >> (rows % 3) & 9
+            left.name, left.texture, left.count = name, upload(texels), len(rows)
             if element in _INDEXED:
                 left.indices = left.indices or Buffer(
                     self._device, GL_ELEMENT_ARRAY_BUFFER, dynamic=True
@@ -116,6 +130,17 @@ class Sieved:
         gl.glActiveTexture(GL_TEXTURE0 + UNIT)
         gl.glBindTexture(GL_TEXTURE_2D, left.texture)
         return left.count
+
+    def _bits(self, touching: Touching) -> Ints | None:
+        """(T,) 1, 2, 4: of sides that lie on those of other objects; 8, 16, 32: of those that are
+        no edges of the whole. None: no side."""
+        found = np.zeros(3 * len(self._mesh.triangles), np.int32)
+        for bit, edges in ((1, touching.shared), (8, touching.inside)):
+            halves = self._mesh.halves[edges]
+            found[halves[halves >= 0]] |= bit
+        if not found.any():
+            return None
+        return np.asarray(found.reshape(-1, 3) @ np.array((1, 2, 4), np.int32))
 
     def _remaining(self, eye: NDArray[np.float64], sieve: Sieve, element: Element) -> Ints:
         """The elements that remain, in rising order."""

@@ -33,11 +33,17 @@ int drawn() { return gl_VertexID / vertices_each; }
 int corner() { return gl_VertexID - vertices_each * (gl_VertexID / vertices_each); }
 #endif
 #ifdef SIEVED
-uniform isampler2D mesh_sieved;     // numbers of the elements that are drawn
+uniform isampler2D mesh_sieved;     // numbers of the elements that are drawn, and how they touch
 int element() { return texelFetch(mesh_sieved, texel(drawn()), 0).x; }
+int touching() { return texelFetch(mesh_sieved, texel(drawn()), 0).y; }
 #else
 int element() { return drawn(); }
+int touching() { return 0; }
 #endif
+// Of a side of the element: whether it lies on one of another object; whether it is no edge of what
+// the objects make together.
+bool is_shared(int side) { return (touching() >> side & 1) == 1; }
+bool is_inside(int side) { return (touching() >> side + 3 & 1) == 1; }
 ivec4 edge_at(int i) { return texelFetch(mesh_edges, texel(i), 0); }
 ivec4 triangle_at(int i) { return texelFetch(mesh_triangles, texel(i), 0); }
 
