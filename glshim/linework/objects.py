@@ -45,7 +45,7 @@ class Objects:
         if tolerance not in self._meshes:
             self._meshes[tolerance] = Meshes(tolerance, self._most_bytes)
         mesh = self._recovered(batches, self._meshes[tolerance], tolerance)
-        if not self._reported and (mesh.turned.any() or mesh.twisted.any()):
+        if not self._reported and mesh.mixed:
             self._reported = True
             say_once(f"a mesh winds its polygons both ways, they are taken as one: {mesh.report}")
         return mesh

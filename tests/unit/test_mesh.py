@@ -401,3 +401,14 @@ def test_rounding_parts_no_seam() -> None:
     m = mesh(with_positions(b, b.positions + noise))
     consistent(m)
     assert m.report.boundary == 4
+
+
+def test_what_ends_on_a_side_may_be_wound_as_it_likes() -> None:
+    """Two small quads along the side of a large one, wound against it: no fault of the program's,
+    as it is where sides are whole."""
+    points = [(0, 0), (2, 0), (2, 1), (0, 1), (0, -1), (1, -1), (2, -1), (1, 0)]
+    points = [(*point, 0) for point in points]
+    cut = mesh(batch(points, [[0, 1, 2, 3], [0, 7, 5, 4], [7, 1, 6, 5]]))
+    assert cut.joints is not None
+    assert not cut.mixed
+    assert mesh(batch(points, [[0, 1, 2, 3], [0, 1, 6, 4]])).mixed

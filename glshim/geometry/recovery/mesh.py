@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from glshim.geometry.recovery.adjacency import Sides, adjacency, meet, repeated
+from glshim.geometry.recovery.adjacency import Adjacency, Sides, adjacency, meet, repeated
 from glshim.geometry.recovery.components import components
 from glshim.geometry.recovery.cutting import Blend, Joints, cut_at_junctions, rims_welded
 from glshim.geometry.recovery.fans import Fans, fans
@@ -108,6 +108,9 @@ class Mesh:
     """With corners, where triangles were cut at vertices that lie on their sides."""
     joints: Joints | None = None
     """Which vertices lay on sides: their triangles are cut there. None: none did."""
+    mixed: bool = False
+    """The app winds polygons that have a whole side in common both ways. What only ends on
+    another's side (a wall on a floor) may be wound as it likes."""
 
     @property
     def marked(self) -> Flags:
@@ -276,9 +279,13 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
         vertex = closer[vertex]
         drawn, flat, sides = _met(batch, vertex, positions)
     cut = cut_at_junctions(drawn, positions, sides, tolerance)
+    sent = drawn, sides
     if cut is not None:
         drawn, sides = cut.drawn, meet(cut.drawn.triangles, len(positions))
     found = adjacency(drawn.triangles, drawn.true, sides)
+    mixed = _is_mixed(found)
+    if mixed and cut is not None:
+        mixed = _is_mixed(adjacency(sent[0].triangles, sent[0].true, sent[1]))
     corners, blend = drawn.corners, None if cut is None else cut.blend
     if corners is not None and found.turned.any():
         corners = np.where(found.turned[:, None], corners[:, (0, 2, 1)], corners)
@@ -289,6 +296,7 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
         corner_normals=_sent(batch.normals, corners, blend),
         blend=blend,
         joints=None if cut is None else cut.joints,
+        mixed=mixed,
         positions=positions,
         weld=vertex,
         first=first,
@@ -302,6 +310,10 @@ def mesh(batch: PolygonBatch, tolerance: float = 0.0) -> Mesh:
         flat=flat,
         **found._asdict(),
     )
+
+
+def _is_mixed(found: Adjacency) -> bool:
+    return bool(found.turned.any() or found.twisted.any())
 
 
 def _met(
