@@ -146,3 +146,13 @@ def test_what_lamps_make_white_together_is_white(style: str) -> None:
     plain, found = (shown(lit_scenery.between_lamps, each)[150, 200] for each in ("", style))
     assert np.ptp(plain) < 0.1 * plain.max()
     assert np.ptp(found) < 0.25 * found.max()
+
+
+def test_text_on_a_panel_is_on_one_side_of_it() -> None:
+    """White on a panel through which bright lines are seen: not black here and there."""
+    panel = partial(lit_scenery.on_a_panel, (0.0, 0.75, 0.45, 0.5))
+    found = shown(panel, "blueprint")[:, 45:195].sum(axis=2)
+    ground = np.median(found[160:175])
+    for row in (179, 194, 209, 224):
+        line = max(found[row - 2 : row + 3], key=lambda some: np.abs(some - ground).mean())
+        assert (line > ground).mean() > 0.99

@@ -20,6 +20,7 @@ uniform int recoloured;
 uniform int turned;      // 1: rows of the ink lie from the top downwards
 
 const float ENOUGH = 4.5;   // contrast of text
+const float ROOM = 4.0;     // the same, for which it does not change sides
 const float STRONG = 12.0;  // most that greys get which must change: black and white trade places
 
 vec4 look(sampler2D image, vec2 centre, vec2 size) {
@@ -41,15 +42,16 @@ float contrast(float a, float b) { return (max(a, b) + 0.05) / (min(a, b) + 0.05
 
 float covered(vec4 own) { return clamp(max(own.a, max(own.r, max(own.g, own.b))), 0.0, 1.0); }
 
-// Luminance of what lies around a place, without the ink.
-float around(vec2 at) {
+// Luminance of what lies around a place, without the ink: so many pixels to each side.
+float around(vec2 at, float reach) {
     float sum = 0.0;
-    for (int i = -1; i <= 1; ++i) {
-        for (int j = -1; j <= 1; ++j) {
-            sum += luminance(linear(below_at(within(at + scale * 3.0 * vec2(i, j))).rgb));
+    for (int i = -2; i <= 2; ++i) {
+        for (int j = -2; j <= 2; ++j) {
+            vec2 there = at + scale * 0.5 * reach * vec2(i, j);
+            sum += luminance(linear(below_at(within(there)).rgb));
         }
     }
-    return sum / 9.0;
+    return sum / 25.0;
 }
 
 // Whether other ink of the program's lies around ink of a luminance and sets it off: an outline of
@@ -80,7 +82,7 @@ vec3 toned(vec3 c, float own, float wanted) {
 
 vec3 readable(vec3 c, vec2 at) {
     vec3 paint = linear(c);
-    float own = luminance(paint), below = around(at);
+    float own = luminance(paint), below = around(at, 3.0);
     float now = contrast(own, below);
     if (now >= ENOUGH || set_off(at, own)) return c;
     float most = max(max(paint.r, paint.g), paint.b), least = min(min(paint.r, paint.g), paint.b);
@@ -88,8 +90,9 @@ vec3 readable(vec3 c, vec2 at) {
     float meant = clamp(contrast(own, luminance(linear(home))), ENOUGH, STRONG);
     float enough = mix(ENOUGH, meant, grey * (1.0 - smoothstep(2.5, ENOUGH, now)));
     float darker = (below + 0.05) / enough - 0.05, lighter = (below + 0.05) * enough - 0.05;
-    // It stays on its side of the ground if there is room.
-    bool up = own > below ? (below + 0.05) * ENOUGH <= 1.05 : (below + 0.05) / ENOUGH < 0.05;
+    // It stays on its side of the ground if there is room: letter by letter, not pixel by pixel.
+    float wide = around(at, 20.0) + 0.05;
+    bool up = own + 0.05 > wide ? wide * ROOM <= 1.05 : wide / ROOM < 0.05;
     return pow(toned(paint, own, clamp(up ? lighter : darker, 0.0, 1.0)), vec3(1.0 / 2.2));
 }
 
