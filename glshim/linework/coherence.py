@@ -35,9 +35,9 @@ _OTHER = 0.5
 """The same of another edge."""
 _CROWD = 24
 """Old samples in a cell that are looked at."""
-_OCTAVE = 1.7
+_OCTAVE = 1.9
 """How much too long or too short a pattern may become on the screen; more than the root of two."""
-_MOST_STRETCHED = 2.0
+_MOST_STRETCHED = 1.9
 """How much so it stays anywhere along a stroke."""
 _MOST_TURNED = np.radians(15.0)
 """In a frame."""

@@ -25,6 +25,7 @@ from multiprocessing import get_context
 import numpy as np
 
 from glshim.linework.groups import grouped
+from glshim.model.lights import Light, Lighting
 from glshim.outputs.gl.backend import Backend
 from glshim.outputs.gl.fixed import FixedPen
 from glshim.styling import registry
@@ -39,10 +40,21 @@ from tests.coherence import carry, patterns, pixels, turning
 from tests.coherence.carry import Carrier
 from tests.coherence.motions import MOTIONS, fits
 from tests.coherence.strokes import Kept, Samples, sampled
-from tests.coherence.subjects import HEIGHT, SHORT, SUBJECTS, WIDTH, Frame, colours, subject
+from tests.coherence.subjects import (
+    HEIGHT,
+    LIGHT,
+    SHORT,
+    SUBJECTS,
+    WIDTH,
+    Frame,
+    colours,
+    subject,
+)
 
 GREY = 0.5
 BACKGROUND = 0.8
+LIGHTING = Lighting((Light((*LIGHT, 0.0)),))
+"""As the light that is painted on surfaces."""
 SHORT_STYLES = (
     "none", "raskar", "edge_mesh", "crease", "hiddenline", "fins", "two_pass", "cartoon",
     "technical", "blueprint", "sketch", "brush", "pencil", "watercolour", "charcoal", "pen_and_ink",
@@ -106,10 +118,7 @@ class Studio:
 
     def shown(self, frame: Frame) -> Shown:
         style = self.style
-        items = frame if style.wants_normals else tuple(
-            (replace(batch, normals=None), camera) for batch, camera in frame
-        )
-        draws = list(style.draws(Layer(items)))
+        draws = list(style.draws(Layer(self._told(frame))))
         lines = [replace(draw, fill=None) if isinstance(draw, BackFaces) else draw
                  for draw in draws if is_line(draw)]  # fmt: skip
         others = [draw for draw in draws if not is_line(draw)]
@@ -126,10 +135,20 @@ class Studio:
         surfaces = self._drawn(frame, others, surface, BACKGROUND) if others else None
         return Shown(frame, depth, whole, ink, surfaces, base, samples)
 
+    def _told(self, frame: Frame) -> Frame:
+        """What the style asks to be told of a frame."""
+        cameras = {id(camera): camera for _, camera in frame}
+        if self.style.wants_lights:
+            cameras = {name: replace(camera, lit=True, lighting=LIGHTING)
+                       for name, camera in cameras.items()}  # fmt: skip
+        normals = {} if self.style.wants_normals else {"normals": None}
+        return tuple((replace(batch, **normals), cameras[id(camera)]) for batch, camera in frame)
+
     def surfaces(self, frame: Frame, *, holds: bool = True) -> np.ndarray:
         """(H, W, 3) without lines; holds: whether passes know where surfaces lie on their objects.
         """
-        draws = [draw for draw in self.style.draws(Layer(frame)) if not is_line(draw)]
+        draws = [draw for draw in self.style.draws(Layer(self._told(frame)))
+                 if not is_line(draw)]  # fmt: skip
         kept = [draw for draw in draws
                 if holds or not (isinstance(draw, Pass) and draw.element != "screen")]  # fmt: skip
         return self._drawn(frame, kept, self.style.surface, BACKGROUND)

@@ -17,6 +17,8 @@ from tests.score import meshes
 
 ROOT = Path(__file__).parents[2]
 WIDTH, HEIGHT = 400, 300
+LIGHT = (-0.45, 0.65, 0.61)
+"""Direction to the light, eye space of the first frame."""
 Frame = tuple[Item, ...]
 FRAMES = 5
 """Recorded of a program."""
@@ -110,6 +112,6 @@ def colours(frame: Sequence[Item]) -> list[np.ndarray]:
             np.add.at(normals, at.ravel(), np.repeat(np.cross(b - a, c - a), 3, axis=0))
         normals = normals @ camera.normal_matrix.T
         normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-12)[:, None]
-        light = 0.5 + 0.5 * normals @ np.array((-0.45, 0.65, 0.61))
+        light = 0.5 + 0.5 * normals @ np.array(LIGHT)
         found.append(np.clip(hue * (0.25 + 0.75 * light[:, None]), 0.0, 1.0))
     return found

@@ -291,7 +291,7 @@ def test_repeats_come_by_octaves_when_the_viewer_comes_near_or_goes(factor):
         frame = drawn(lines, objects=(("it", zoom),), past=past)
         repeats = abs(frame.walk.finish - frame.walk.begin).sum()
         length = 2 * size * scale / repeats
-        assert LENGTH / 1.8 < length < LENGTH * 1.8
+        assert LENGTH / 2.0 < length < LENGTH * 2.0
         again = abs(frame.walk.finish[0] - frame.walk.begin[0]) / pace
         if 0.9 < again < 1.1:
             assert apart(frame.walk.begin, before).max() < 0.5
