@@ -67,6 +67,8 @@ GROUP = 16
 MARKED, BOUNDARY, SUGGESTIVE = 4, 5, 6
 SHARED = 8 * GROUP
 """What is added to kinds of lines that lie on others (`glshim.linework.side_by_side`)."""
+CROWDED = 2 * SHARED
+"""What is added to kinds of lines among many (`glshim.linework.crowded`)."""
 
 ENDLESS = 1e6
 """Pixels to the end of a stroke that has none: a loop without a corner."""

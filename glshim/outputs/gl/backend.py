@@ -13,6 +13,7 @@ from glshim.driver.ask import integer
 from glshim.driver.context import MODERN, UNAVAILABLE, shortcoming, version_text
 from glshim.driver.functions import current_context
 from glshim.errors import RenderError
+from glshim.linework.crowded import crowded
 from glshim.linework.finder import LineFinder
 from glshim.linework.groups import Group, grouped
 from glshim.model.batch import Item
@@ -169,6 +170,8 @@ class Backend:
                 records = np.concatenate((records, self._crossed(group, frame)))
             if not len(records):
                 continue
+            if group.uniforms.get("hidden_share", 0.0):
+                records = crowded(records, group.camera)
             camera = turned(group.camera, frame.reversed_depth)
             if medium.image is not None:
                 self._textures.bind(medium.image)

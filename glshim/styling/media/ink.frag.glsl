@@ -68,7 +68,7 @@ void main() {
         shown = finished(gl_FragCoord.xy) >= nearest;
     }
     if (shown) shown = seen(on);
-    if (!shown) drawn *= hidden_share > 0.0 && is_none(on) ? 0.0 : hidden_at(t);
+    if (!shown) drawn *= crowded || hidden_share > 0.0 && is_none(on) ? 0.0 : hidden_at(t);
     if (drawn.a <= 0.0) discard;
     colour = cover * drawn;
 }

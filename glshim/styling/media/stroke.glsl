@@ -26,6 +26,7 @@ vec2 along, out_1;
 float span;
 int kind, group;
 bool shared_edge;  // with another body
+bool crowded;      // among many: not drawn where it is hidden
 
 // Fills the variables above from the stroke.
 void take_stroke() {
@@ -36,6 +37,8 @@ void take_stroke() {
     kind = int(extent.z + 0.5);
     int extra = kind / 16;
     kind -= 16 * extra;
+    crowded = extra > 15;
+    extra -= crowded ? 16 : 0;
     shared_edge = extra > 7;
     extra -= shared_edge ? 8 : 0;
     group = extra > 0 ? extra + 3 : (kind > 2 ? kind - 2 : 0) / 2;
