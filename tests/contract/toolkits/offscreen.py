@@ -26,7 +26,7 @@ class OffscreenRig(Rig):
             "glFinish", (baseplatform._NullFunctionPointer,),
             {"__call__": staticmethod(self.shown), "__init__": lambda this: None})  # fmt: skip
         if RAW._undo:  # PyOpenGL is followed already, for what is below hooks: it has loaded this
-            RAW._adopt(cls)
+            RAW._adopt(cls, vars(cls)["__call__"])
         self.modules = {"OpenGL.error": SimpleNamespace(glFinish=cls())}
         frames.buffering(False)
 
