@@ -6,9 +6,17 @@ import ctypes
 from collections.abc import Iterable
 
 from glshim.driver.ask import integer, text
+from glshim.driver.context import list_is_open
 from glshim.driver.functions import gl
-from glshim.spec.constants import GL_EXTENSIONS
-from glshim.spec.kinds import PROGRAM, Kind
+from glshim.spec.constants import (
+    GL_BUFFER_SIZE,
+    GL_EXTENSIONS,
+    GL_TEXTURE_WIDTH,
+)
+from glshim.spec.kinds import BUFFER, PROGRAM, TEXTURE, Kind
+
+ASKED = (TEXTURE, BUFFER)
+"""Kinds whose objects can be made without a binding of theirs."""
 
 
 def generate(kind: Kind, number: int) -> list[int]:
@@ -41,6 +49,17 @@ def is_there(kind: Kind, name: int) -> bool:
 def create(kind: Kind, name: int, target: int = 0, binding: int = 0) -> None:
     """An empty object of a name, of its own target or another one with its binding; what was bound
     is bound again."""
+    if list_is_open() and kind in ASKED:
+        # The binding might go into the list, or a primitive that is executed be open. These
+        # questions make what they ask about (EXT_direct_state_access).
+        value = ctypes.byref(ctypes.c_int(0))
+        if kind is TEXTURE:
+            gl.glGetTextureLevelParameterivEXT(
+                name, target or kind.target, 0, GL_TEXTURE_WIDTH, value
+            )
+        else:
+            gl.glGetNamedBufferParameterivEXT(name, GL_BUFFER_SIZE, value)
+        return
     before = integer(binding or kind.binding)
     bind = getattr(gl, kind.bind)
     bind(target or kind.target, name)

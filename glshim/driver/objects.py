@@ -59,14 +59,14 @@ class Space:
     left: dict[Kind, set[int]] = field(default_factory=dict)
     """By contexts that are gone: objects of ours that others share."""
 
-    def given(self, kind: Kind, number: int) -> list[int]:
-        """The names that the program would be given without us."""
+    def given(self, kind: Kind, number: int, *, ask: bool = True) -> list[int]:
+        """The names that the program would be given without us. ask: see `space`."""
         names: list[int] = []
         following = self.last[kind] + 1
         while len(names) < number:
             name = following
             following += 1
-            if kinds.is_there(kind, name):  # of the program's, made where we do not hear it
+            if ask and kinds.is_there(kind, name):  # the program's, made where we do not hear it
                 names.clear()
             else:
                 names.append(name)
@@ -100,13 +100,13 @@ class Programs:
         """By the driver's."""
         self._most = 1024
 
-    def entered(self, name: int) -> int:
-        """What the program calls that which the driver has just made."""
+    def entered(self, name: int, *, ask: bool = True) -> int:
+        """What the program calls that which the driver has just made. ask: see `space`."""
         own = self._space.last[PROGRAM] + 1
-        while self._is_foreign(own):
+        while ask and self._is_foreign(own):
             own += 1
         self._space._reach(PROGRAM, own)
-        if len(self._drivers) >= self._most:
+        if ask and len(self._drivers) >= self._most:
             self._tidy()
         self._drivers[own], self._own[name] = name, own
         return own
@@ -267,11 +267,15 @@ def losses() -> int:
     return here.losses
 
 
-def space() -> Space | None:
-    """The names of the current context, if any of ours are among them."""
+def space(*, ask: bool = True) -> Space | None:
+    """The names of the current context, if any of ours are among them. ask: False where the driver
+    is inside a primitive, where to ask is an error that the program would find: the context is
+    taken for the one that it was before."""
     handle = current_context()
     for each in _spaces:
         if handle in each.contexts:
+            if not ask:
+                return each
             # Inside a primitive nothing can be asked: it is the context that it was before.
             if kinds.is_there(BUFFER, each.flag) or not integer(GL_MAX_TEXTURE_SIZE):
                 return each
@@ -279,6 +283,8 @@ def space() -> Space | None:
             if not each.contexts:
                 _spaces.remove(each)
             break
+    if not ask:
+        return None
     for each in _spaces:
         if kinds.is_there(BUFFER, each.flag):
             each.contexts.add(handle)

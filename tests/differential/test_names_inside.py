@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glfw
 import numpy as np
+import pytest
 from OpenGL import GL
 from OpenGL.raw.GL.VERSION.GL_4_1 import glShaderBinary
 
@@ -56,3 +57,57 @@ def test_names_in_an_array_that_is_refused() -> None:
         names = np.array([GL.glCreateShader(GL.GL_VERTEX_SHADER)], np.int32)
         app.tries(glShaderBinary, 1, names, 0, np.zeros(4, np.uint8), 0)
     assert "CopyError" in app.saw[-1]
+
+
+def _in_a_list(style: str | None, mode: int) -> list[str]:
+    """Mesa gives names while a list is compiled, inside its primitives, too."""
+    app = App()
+    with styled(style), window() as handle:
+        prepare()
+        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+        GL.glBegin(GL.GL_TRIANGLES_ADJACENCY)
+        GL.glEnd()
+        glfw.swap_buffers(handle)
+        first = [make(1) for make in _GIVING.values()]
+        app.saw.append(str(first))
+        GL.glNewList(7, mode)
+        _gives(app)
+        GL.glBegin(GL.GL_QUADS)
+        GL.glVertex2f(0.0, 0.0)
+        # Where the driver itself is inside a primitive, these two are named, but not made.
+        _gives(app, bound=mode == GL.GL_COMPILE)
+        app.tries(GL.glCreateShader, GL.GL_VERTEX_SHADER)
+        GL.glEnd()
+        GL.glEndList()
+        app.tries(GL.glCallList, 7)
+        for kind in _GIVING:
+            asked = getattr(GL, f"glIs{kind}")
+            app.saw.append(f"{kind} {[asked(name) for name in range(1, 30)]}")
+        _gives(app)
+    return app.saw
+
+
+_GIVING = {
+    "Texture": GL.glGenTextures, "Buffer": GL.glGenBuffers, "Framebuffer": GL.glGenFramebuffers,
+    "Renderbuffer": GL.glGenRenderbuffers,
+}  # fmt: skip
+_TARGETS = (GL.GL_TEXTURE_3D, GL.GL_TEXTURE_BUFFER, GL.GL_TEXTURE_2D_MULTISAMPLE)
+
+
+def _gives(app: App, *, bound: bool = True) -> None:
+    for make in _GIVING.values():
+        app.tries(make, 2)
+    names = np.zeros(2, np.uint32)
+    for target in _TARGETS:
+        app.tries(GL.glCreateTextures, target, 2, names)
+        app.saw.append(str(names))
+    some = (GL.glCreateFramebuffers, GL.glCreateRenderbuffers) if bound else ()
+    for make in (GL.glCreateBuffers, *some):
+        app.tries(make, 2, names)
+        app.saw.append(str(names))
+
+
+@pytest.mark.parametrize("mode", [GL.GL_COMPILE, GL.GL_COMPILE_AND_EXECUTE])
+@pytest.mark.parametrize("style", ["pencil", "edge_mesh:texture=pen"])
+def test_names_while_a_list_is_open(style: str, mode: int) -> None:
+    assert _in_a_list(style, mode) == _in_a_list(None, mode)

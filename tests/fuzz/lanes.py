@@ -35,7 +35,8 @@ class Lane:
         self._environment = {k: v for k, v in os.environ.items() if not k.startswith("GLSHIM_")}
         self._environment |= _ENVIRONMENT | ENVIRONMENTS.get(flags, {})
         if perturb:
-            self._environment["MALLOC_PERTURB_"] = str(perturb)
+            # Python's own pools of small objects are made of pages that begin as zeros.
+            self._environment |= {"MALLOC_PERTURB_": str(perturb), "PYTHONMALLOC": "malloc"}
         self._process: subprocess.Popen[bytes] | None = None
 
     def start(self) -> subprocess.Popen[bytes]:

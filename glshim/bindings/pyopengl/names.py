@@ -73,7 +73,7 @@ def _meeting(row: Row) -> Maker:
             name = name_among(args, position)
             if name > floors[kind]:
                 space = programs.space()
-                if space is not None and kind in space.last:
+                if space is not None and kind in space.last and programs.may_ask():
                     space.met(kind, name)
 
         from OpenGL.error import GLError  # not before the program has set its flags
@@ -116,9 +116,10 @@ def _rename(row: Row, args: tuple[Any, ...], space: objects.Space) -> None:
     memory = (ctypes.c_uint * count).from_address(address)
     if not objects.is_late(memory[0]):  # an error: none were given
         return
+    ask = programs.may_ask()
     kinds.delete(kind, memory)
-    names = space.given(kind, count)
-    if row.naming is Naming.CREATES:
+    names = space.given(kind, count, ask=ask)
+    if row.naming is Naming.CREATES and (ask or kind in kinds.ASKED):
         target = name_among(args, 0) if row.position else 0
         for name in names:
             kinds.create(kind, name, target, BINDINGS.get(target, 0))

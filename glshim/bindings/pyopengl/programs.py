@@ -58,8 +58,18 @@ def maker_of(name: str) -> Maker | None:
 
 def space() -> objects.Space | None:
     """The names of the current context, if any of ours are among them. Inside a primitive none: GL
-    gives none there, and to ask is an error that the program would find."""
-    return None if RECORDER.record.inside() else objects.space()
+    gives none there. Mesa does, and lets programs be used, while a list is compiled."""
+    record = RECORDER.record
+    if record.inside() and not record.list_open:
+        return None
+    return objects.space(ask=may_ask())
+
+
+def may_ask() -> bool:
+    """Whether the driver is outside primitives: to ask inside is an error that the program would
+    find."""
+    record = RECORDER.record
+    return record.only_compiled or not record.inside()
 
 
 def _programs() -> objects.Programs | None:
@@ -73,7 +83,9 @@ def _making(real: Call) -> Call:
         if programs is None:
             return real(*args, **named)
         with Held():
-            return _told(lambda made: programs.entered(made) if made else made, real, args, named)
+            return _told(
+                lambda made: programs.entered(made, ask=may_ask()) if made else made,
+                real, args, named)
 
     return hook
 

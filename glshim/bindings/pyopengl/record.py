@@ -11,7 +11,7 @@ from glshim.bindings.pyopengl import forward
 from glshim.driver.ask import integer
 from glshim.driver.context import list_closed, list_opened
 from glshim.spec.attributes import RECORD_BYTES
-from glshim.spec.constants import GL_RENDER, GL_RENDER_MODE
+from glshim.spec.constants import GL_COMPILE, GL_LIST_MODE, GL_RENDER, GL_RENDER_MODE
 from glshim.system.interrupts import at_once
 
 
@@ -41,6 +41,8 @@ class Record(local):
 
     def __init__(self) -> None:
         self.list_open = False
+        self.only_compiled = False
+        """A list is open and not executed: the driver stays outside primitives."""
         self.records: list[bytes] = []
         self.write: Callable[[bytes], None] = self.records.append
         """Records what is said."""
@@ -115,6 +117,7 @@ class Record(local):
         """A list begins; when capturing, what is said outside primitives is recorded, too."""
         self.spill()
         self.list_open = True
+        self.only_compiled = integer(GL_LIST_MODE) == GL_COMPILE
         list_opened()
         if capturing and not self.shadow:
             self.between()
@@ -131,7 +134,7 @@ class Record(local):
         if self.sink is not None and self.shadow and not self.loose:
             self.sink.unfinished(self.mode, self.stream())
         self.loose = self.shadow = False
-        self.list_open = False
+        self.list_open = self.only_compiled = False
         list_closed()
 
     def settle(self) -> None:
