@@ -7,7 +7,7 @@ import math
 from typing import Any
 
 import numpy as np
-from OpenGL import GL
+from OpenGL import GL, GLU
 from OpenGL.raw.GL.VERSION import GL_1_0 as raw
 
 from .registry import each, scene
@@ -279,4 +279,20 @@ def vertices_outside_a_primitive(app: App) -> None:
     app.tries(GL.glColor3f, 1, 0, 0)
     app.tries(GL.glVertex3fv, [1, 2, 3])
     app.error()
+    app.asks(GL.GL_CURRENT_COLOR)
+
+
+@scene
+def a_shape_inside_a_primitive(app: App) -> None:
+    """GLU's own glBegin is refused, its vertices are the primitive's, and its glEnd ends it."""
+    quadric = GLU.gluNewQuadric()
+    for x in (-0.5, 0.2):
+        GL.glBegin(GL.GL_QUAD_STRIP)
+        GL.glColor3f(0.9, 0.5, 0.2)
+        GL.glVertex3f(x, -0.75, 0.0)
+        app.tries(GLU.gluDisk, quadric, 0.0, 0.6, 8, 2)
+        app.tries(GL.glVertex3f, x, 0.5, 0.0)
+        app.tries(GL.glEnd)
+        app.error()
+    GLU.gluDeleteQuadric(quadric)
     app.asks(GL.GL_CURRENT_COLOR)

@@ -26,8 +26,10 @@ class PyOpenGL:
         NAMES.install()
         RECORDER.install()
         WATCH.install()
+        C_LIBRARIES.install()
 
     def uninstall(self) -> None:
+        C_LIBRARIES.uninstall()
         WATCH.uninstall()
         RECORDER.uninstall()
         RAW.uninstall()

@@ -47,27 +47,38 @@ class CLibraries:
 
     def __init__(self) -> None:
         self._watcher: ShapeSink | None = None
+        self._installed = False
         self._hooked: list[Any] = []
         self._settings: dict[int, dict[ShapeRole, int]] = {}
         """By quadric."""
         self._surface: list[tuple[Call, tuple[Any, ...]]] = []
 
-    def attach(self, watcher: ShapeSink) -> None:
-        """Tell a watcher about every shape, in libraries imported already or later."""
-        self._watcher = watcher
+    def install(self) -> None:
+        """What is held back of an open primitive goes before what a library says to the driver, in
+        libraries imported already or later."""
+        self._installed = True
         for module in sorted({home for home, _, _ in ROWS}):
             after_import(module, self._hook_module)
 
-    def detach(self) -> None:
+    def uninstall(self) -> None:
         """Take the hooks away."""
-        self._watcher = None
+        self.detach()
+        self._installed = False
         for function in self._hooked:
             hook_function(function, None)
         self._hooked.clear()
+
+    def attach(self, watcher: ShapeSink) -> None:
+        """Tell a watcher about every shape."""
+        self._watcher = watcher
+
+    def detach(self) -> None:
+        """Tell nobody any more."""
+        self._watcher = None
         self._surface.clear()
 
     def _hook_module(self, module: ModuleType) -> None:
-        if self._watcher is None:
+        if not self._installed:
             return
         for name, function in list(vars(module).items()):
             role = shape_role(module.__name__, name)
@@ -86,7 +97,9 @@ class CLibraries:
             if types is not None:
                 described = partial(self._numbers, name, role, Numeric(function, types))
         if role in _OF_QUADRICS:
-            return lambda *args: described(args, _to_nobody)
+            return lambda *args: (
+                call(*args) if self._watcher is None else described(args, _to_nobody)
+            )
 
         def hook(*args: Any) -> Any:
             watcher, record = self._watcher, RECORDER.record
