@@ -12,7 +12,6 @@ from glshim.driver.functions import current_context, gl
 from glshim.spec.constants import (
     GL_CONTEXT_CORE_PROFILE_BIT,
     GL_CONTEXT_PROFILE_MASK,
-    GL_CURRENT_PROGRAM,
     GL_DRAW_FRAMEBUFFER,
     GL_EXTENSIONS,
     GL_FRAMEBUFFER_COMPLETE,
@@ -23,7 +22,6 @@ from glshim.spec.constants import (
     GL_PRIMITIVE_RESTART_FIXED_INDEX,
     GL_PROGRAM_PIPELINE_BINDING,
     GL_VERSION,
-    GL_VERTEX_ARRAY_BINDING,
     GL_VERTEX_PROGRAM_ARB,
     GL_VERTEX_SHADER_EXT,
 )
@@ -122,19 +120,6 @@ def compiles_a_list() -> bool:
 def has_vertex_arrays() -> bool:
     """Whether there are vertex array objects: since 3.0, and where 2.1 has been extended."""
     return _has((3, 0), _VERTEX_ARRAYS)
-
-
-def obstacles_to_client_arrays() -> tuple[int, ...]:
-    """What must be zero where an app's own draws from client arrays shall do the same as its
-    glBegin and glEnd, by the names of integers; empty where they cannot be relied on at all."""
-    number = version()
-    if number is None or number < (2, 0) or not _has_fixed_function(number):
-        return ()
-    # A program may look at gl_VertexID.
-    found = (GL_CURRENT_PROGRAM, *other_programs())
-    if number >= (3, 0) or "_vertex_array_object" in " ".join(_extensions(version_text())):
-        return *found, GL_VERTEX_ARRAY_BINDING
-    return found
 
 
 def other_programs() -> tuple[int, ...]:

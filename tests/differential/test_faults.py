@@ -15,7 +15,6 @@ from OpenGL import GL
 from OpenGL.GL import glBegin, glCallList, glColor3f, glEnd, glVertex3f, glVertex3fv
 
 import glshim
-from glshim.bindings.pyopengl import forward
 from glshim.errors import StyleError
 from glshim.styling.lines import Medium
 from glshim.styling.protocol import Layer, Lines, Styler
@@ -199,28 +198,6 @@ def test_another_style_takes_over() -> None:
         cube()
 
     assert (run(settled, VISIBLE).picture[..., :3] == (0, 255, 0)).all(axis=2).sum() > 100
-
-
-def test_large_primitives_are_drawn_from_arrays(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Else the differential scenes would prove nothing about them."""
-    drawn = []
-    draw = forward._arrays_drawn
-
-    def spy(mode: int, count: int, *more: Any) -> Any:
-        drawn.append((mode, count))
-        return draw(mode, count, *more)
-
-    monkeypatch.setattr(forward, "_arrays_drawn", spy)
-
-    def scene(app: App) -> None:
-        for mode in range(10):
-            GL.glBegin(mode)
-            for point in spiral(300):
-                GL.glVertex3fv(point)
-            GL.glEnd()
-
-    run(scene, "none")
-    assert {mode for mode, _ in drawn} == {0, 1, 3, 4, 5, 7, 8}
 
 
 def test_the_styled_picture_is_what_readback_gives() -> None:

@@ -76,11 +76,6 @@ def prepare() -> None:
     GL.glFrustum(-1.0, 1.0, -0.75, 0.75, 2.0, 20.0)
     GL.glMatrixMode(GL.GL_MODELVIEW)
     GL.glTranslatef(0.0, 0.0, -5.0)
-    # After a large primitive glshim looks out for others, which it may draw from arrays.
-    GL.glBegin(GL.GL_TRIANGLES)
-    for _ in range(300):
-        GL.glVertex3f(0.0, 0.0, 9.0)
-    GL.glEnd()
 
 
 def restart_at(index: int) -> None:

@@ -93,6 +93,7 @@ def test_keys_hold_while_nothing_is_redefined() -> None:
 def test_a_list_that_calls_itself_ends() -> None:
     made = book(l1=[SQUARE, Call((1,))], l2=[Call((3, 3))], l3=[])
     assert 1 < called(made).relative.polygon_count <= 70
+    assert called(book(l1=[SQUARE, Call((1, 1))])).relative.polygon_count > 70
     deep = book(**{f"l{n}": [Call((n + 1, n + 1))] for n in range(1, 13)}, l13=[SQUARE])
     assert called(deep).relative.polygon_count == 2**12
     assert called(book(l1=[Call((5,))])).relative is None

@@ -54,8 +54,6 @@ class Record(local):
         self.sequences: frozenset[type] | None = None
         """What PyOpenGL's own handlers of arrays convert, of list, tuple and array; None until that
         is asked in this primitive."""
-        self.able = False
-        """Arrays do for the open primitive, should it turn out large."""
         self.mode = 0
 
     def inside(self) -> bool:

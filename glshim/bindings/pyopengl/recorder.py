@@ -22,10 +22,8 @@ from glshim.bindings.pyopengl.vectors import vectors
 from glshim.driver.functions import gl, quick
 from glshim.spec.attributes import ATTRIBUTES
 from glshim.spec.constants import GL_TRIANGLE_STRIP_ADJACENCY
-from glshim.system.interrupts import Held, at_once, exhaust, in_turn
+from glshim.system.interrupts import Held, exhaust, in_turn
 
-_LOOK_OUT = 64
-"""Primitives after a large one that may be large, too."""
 _LAST_MODE = GL_TRIANGLE_STRIP_ADJACENCY
 """Greater modes are errors inside glBegin."""
 _ENUM = 0xFFFFFFFF
@@ -96,8 +94,6 @@ class _Brackets(NamedTuple):
 
 
 def _brackets(record: Record, careful: bool) -> _Brackets:
-    expected = 0  # so many more primitives may be large: ask beforehand whether arrays do
-
     def make_begin(real: Call, checked: bool) -> Call:
         driver_begin = quick("glBegin")
         integers = conversions.integers()
@@ -105,7 +101,7 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
         converted: Callable[..., tuple[Any, ...]] | None = None
 
         def begin(*args: Any, **named: Any) -> Any:
-            nonlocal expected, converted
+            nonlocal converted
             own = record.__dict__  # this thread's values, looked up once
             if own["loose"]:
                 record.settle()
@@ -128,11 +124,6 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
             try:
                 if sink is not None:
                     sink.begin(mode)
-                if expected:
-                    expected -= 1
-                    own["able"] = forward.able(mode)
-                elif own["able"]:
-                    own["able"] = False
                 records: list[bytes] = []
                 own["records"] = records
                 own["write"] = write = records.append
@@ -160,7 +151,6 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
         function = conversions.function_of(real)
 
         def end(*args: Any, **named: Any) -> Any:
-            nonlocal expected
             own = record.__dict__  # as in begin
             held = own["held"] is not None
             if not held and not own["shadow"]:
@@ -177,34 +167,19 @@ def _brackets(record: Record, careful: bool) -> _Brackets:
             stream = b"".join(records)
             taker = sink if own["list_open"] else None
             so_far = 0 if taker is None else taker.listed()
-            parted = None
-            if held and len(stream) >= forward.SMALL:
-                expected = _LOOK_OUT
-                if own["able"] and not own["list_open"]:
-                    parted = forward.parted(mode, stream)
             if careful:
                 whole: Iterable[Any] = ()
-            elif parted:
-                whole = in_turn((parted.head, gl.glEnd))
             else:
                 ended = in_turn((gl.glEnd,))
                 whole = chain(forward.saying(stream, records), ended) if held else ended
-            drawn: list[bool] = []
             try:
                 try:
                     try:
                         exhaust(whole, 0)  # before it the primitive is open, after it no more
                     finally:
                         own["held"], own["shadow"] = None, False
-                    if parted:
-                        at_once((*parted.rest(), partial(drawn.append, True)))
                     # Not returned from in here: between the blocks that ends nothing is caught.
                     result = real(*args, **named) if careful else forward.check(real, args)
-                except BaseException:  # a signal handler's perhaps, in the middle
-                    if parted and not drawn:
-                        with Held():
-                            at_once(parted.rest())
-                    raise
                 finally:
                     if sink is not None:
                         sink.end(mode, stream)

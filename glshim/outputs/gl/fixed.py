@@ -32,6 +32,7 @@ from glshim.spec.constants import (
     GL_BLEND,
     GL_CCW,
     GL_CLIP_PLANE0,
+    GL_COLOR_MATERIAL,
     GL_COLOR_SUM,
     GL_CULL_FACE,
     GL_CW,
@@ -78,9 +79,10 @@ _TEXTURES = (
 )  # fmt: skip
 _SHADED = (
     GL_LIGHTING, GL_FOG, GL_COLOR_SUM, GL_VERTEX_PROGRAM_ARB, GL_FRAGMENT_PROGRAM_ARB,
-    GL_LINE_STIPPLE, GL_POLYGON_OFFSET_LINE,
+    GL_LINE_STIPPLE, GL_POLYGON_OFFSET_LINE, GL_COLOR_MATERIAL,
 )  # fmt: skip
-"""What changes colours or lines of the fixed function, besides what `plainly` turns off."""
+"""What changes colours or lines of the fixed function, or is changed by them, besides what
+`plainly` turns off."""
 
 _Fans = tuple[NDArray[np.float32], NDArray[np.uint8], float]
 """Points, edge flags and the way out (`outward_sign`)."""

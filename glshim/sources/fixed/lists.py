@@ -60,6 +60,7 @@ from glshim.system import memory
 from glshim.system.interrupts import is_ours
 
 _NESTING = 64
+_AGAIN = 1024
 _NAMES = 0xFFFFFFFF
 """What names wrap at."""
 _serial = count()
@@ -178,18 +179,23 @@ class ListBook:
         if name not in self._programs:
             self._changed({name})
 
-    def items(self, name: int, depth: int = 0) -> Iterator[Step]:
+    def items(self, name: int) -> Iterator[Step]:
         """What the list says, nested lists included."""
+        return self._items(name, (), count())
+
+    def _items(self, name: int, within: tuple[int, ...], again: Iterator[int]) -> Iterator[Step]:
+        """within: the lists that call it; again: counts calls of lists by themselves, of which
+        there are more than anyone waits for where each makes two."""
         program = self._programs.get(name)
         if program is None:  # perhaps one that we did not see: it may set the normal
             yield NOBODY_KNOWS
             return
-        if depth > _NESTING:
+        if len(within) > _NESTING or (name in within and next(again) > _AGAIN):
             return
         for item in program.items:
             if isinstance(item, Call):
                 for called in item.names:
-                    yield from self.items(called, depth + 1)
+                    yield from self._items(called, (*within, name), again)
             else:
                 yield item
 
