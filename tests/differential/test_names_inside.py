@@ -5,7 +5,7 @@ from __future__ import annotations
 import glfw
 import numpy as np
 import pytest
-from OpenGL import GL
+from OpenGL import GL, GLU
 from OpenGL.raw.GL.VERSION.GL_4_1 import glShaderBinary
 
 from .world import App, prepare, styled, window
@@ -111,3 +111,45 @@ def _gives(app: App, *, bound: bool = True) -> None:
 @pytest.mark.parametrize("style", ["pencil", "edge_mesh:texture=pen"])
 def test_names_while_a_list_is_open(style: str, mode: int) -> None:
     assert _in_a_list(style, mode) == _in_a_list(None, mode)
+
+
+def _after_a_shape(style: str | None) -> list[str]:
+    """GLU's glEnd ends the program's primitive: names are given again."""
+    app = App()
+    with styled(style), window() as handle:
+        prepare()
+        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
+        glfw.swap_buffers(handle)
+        GL.glBegin(GL.GL_POLYGON)
+        GLU.gluPartialDisk(GLU.gluNewQuadric(), 0.1, 0.6, 7, 2, 0.0, 90.0)
+        app.tries(GL.glGenBuffers, 1)
+        app.tries(GL.glEnd)
+        app.tries(GL.glGenBuffers, 1)
+    return app.saw
+
+
+def test_names_after_a_shape_inside_a_primitive() -> None:
+    assert _after_a_shape("raskar") == _after_a_shape(None)
+
+
+def _deleted_with_lines(style: str | None) -> list[str]:
+    app = App()
+    with styled(style), window() as handle:
+        prepare()
+        name, depths = GL.glGenFramebuffers(1), GL.glGenRenderbuffers(1)
+        GL.glBindRenderbuffer(GL.GL_RENDERBUFFER, depths)
+        GL.glRenderbufferStorage(GL.GL_RENDERBUFFER, GL.GL_DEPTH_COMPONENT24, 32, 32)
+        GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, name)
+        GL.glFramebufferRenderbuffer(
+            GL.GL_FRAMEBUFFER, GL.GL_DEPTH_ATTACHMENT, GL.GL_RENDERBUFFER, depths
+        )
+        GL.glBegin(GL.GL_LINES)
+        GL.glEnd()
+        GL.glDeleteFramebuffers(1, [name])
+        glfw.swap_buffers(handle)
+        app.tries(GL.glIsFramebuffer, name)
+    return app.saw
+
+
+def test_a_framebuffer_that_is_deleted_with_lines_in_it_stays_deleted() -> None:
+    assert _deleted_with_lines("pencil") == _deleted_with_lines(None)

@@ -104,7 +104,12 @@ class CLibraries:
         def hook(*args: Any) -> Any:
             watcher, record = self._watcher, RECORDER.record
             record.spill()
-            if watcher is None or record.inside():  # where it fails, or is refused
+            if record.inside() and not record.list_open:
+                # Its glBegin is refused, its vertices are the primitive's, and its glEnd ends it.
+                result = call(*args)
+                record.ended_unheard()
+                return result
+            if watcher is None or record.inside():
                 return call(*args)
             watcher.before_shape(name)
             try:

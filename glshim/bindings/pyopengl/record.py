@@ -86,6 +86,13 @@ class Record(local):
                 forward.said(self.stream()),
             ))  # fmt: skip
 
+    def ended_unheard(self) -> None:
+        """C code has ended the open primitive, with vertices that nobody heard of."""
+        self.spill()
+        self.shadow = False
+        if self.sink is not None:
+            self.sink.end(self.mode, b"")
+
     def stand_aside(self) -> None:
         """From now on all goes straight through to the driver."""
         self.aside = True

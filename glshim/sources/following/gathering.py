@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from glshim.driver import kinds
 from glshim.driver.ask import integers, is_enabled
 from glshim.driver.context import is_complete
 from glshim.driver.queries import counting, counting_if_seen
@@ -12,6 +13,7 @@ from glshim.sources.following.scene import Scene
 from glshim.sources.following.sink import LayerSink
 from glshim.sources.state import DrawState
 from glshim.spec.constants import GL_ALPHA_TEST, GL_BLEND, GL_FILL, GL_POLYGON_MODE
+from glshim.spec.kinds import FRAMEBUFFER
 from glshim.system.interrupts import Held
 
 
@@ -37,6 +39,8 @@ def lay_ink(sink: LayerSink, scene: Scene, *, plain: bool = False) -> None:
     if run is None or scene.fixed.lists.is_open or counting():
         return
     scene.ink.run = None
+    if run.framebuffer and not kinds.is_there(FRAMEBUFFER, run.framebuffer):
+        return  # deleted with its picture: to bind it would make another
     recoloured = not plain and scene.layer.has_pictures(run.framebuffer)
     with styling(), Held(), scene.condition.lifted():
         sink.lay_ink(run, scene, recoloured=recoloured)
