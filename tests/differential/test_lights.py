@@ -40,7 +40,7 @@ def triangle(at: float = 0.0) -> None:
 
 
 def told(scene, lights: bool = True) -> list[Layer]:
-    """The layers of a scene: the first holds what `world.prepare` draws, too."""
+    """The layers of a scene."""
     style = Asking(lights=lights)
 
     def whole(_: App) -> None:
@@ -48,7 +48,7 @@ def told(scene, lights: bool = True) -> list[Layer]:
         scene()
 
     run(whole, style)
-    return style.layers[1:]
+    return style.layers
 
 
 def test_lights_come_as_the_driver_holds_them():
