@@ -53,6 +53,8 @@ def _bare(value: Any) -> Any:
             return _VALUE.__get__(value)
         if issubclass(kind, np.generic) and kind.__module__ == "numpy":
             return value.item()
+        if kind is np.ndarray and not value.shape:
+            return value.item()
         value = getattr_static(value, "_as_parameter_", None)
         if value is None:
             raise TypeError(f"a {kind.__name__} is not a number that can be known")

@@ -124,7 +124,7 @@ def _after_a_shape(style: str | None) -> list[str]:
         GLU.gluPartialDisk(GLU.gluNewQuadric(), 0.1, 0.6, 7, 2, 0.0, 90.0)
         app.tries(GL.glGenBuffers, 1)
         app.tries(GL.glEnd)
-        app.tries(GL.glGenBuffers, 1)
+        app.tries(GL.glGenBuffers, np.array(2))
     return app.saw
 
 
