@@ -16,7 +16,7 @@ from glshim.spec.constants import (
 from glshim.spec.kinds import BUFFER, PROGRAM, TEXTURE, Kind
 
 ASKED = (TEXTURE, BUFFER)
-"""Kinds whose objects can be made without a binding of theirs."""
+"""Kinds whose objects can be made without a binding (EXT_direct_state_access)."""
 
 
 def generate(kind: Kind, number: int) -> list[int]:
@@ -49,21 +49,28 @@ def is_there(kind: Kind, name: int) -> bool:
 def create(kind: Kind, name: int, target: int = 0, binding: int = 0) -> None:
     """An empty object of a name, of its own target or another one with its binding; what was bound
     is bound again."""
-    if list_is_open() and kind in ASKED:
-        # The binding might go into the list, or a primitive that is executed be open. These
-        # questions make what they ask about (EXT_direct_state_access).
-        value = ctypes.byref(ctypes.c_int(0))
+    if list_is_open() and kind in ASKED and _made_by_a_question(kind, name, target):
+        return
+    before = integer(binding or kind.binding)
+    bind = getattr(gl, kind.bind)
+    bind(target or kind.target, name)
+    bind(target or kind.target, before)
+
+
+def _made_by_a_question(kind: Kind, name: int, target: int) -> bool:
+    """Without a binding, which might go into the list that is open, or be refused inside its
+    primitive. These questions make what they ask about; False where the driver lacks them."""
+    value = ctypes.byref(ctypes.c_int(0))
+    try:
         if kind is TEXTURE:
             gl.glGetTextureLevelParameterivEXT(
                 name, target or kind.target, 0, GL_TEXTURE_WIDTH, value
             )
         else:
             gl.glGetNamedBufferParameterivEXT(name, GL_BUFFER_SIZE, value)
-        return
-    before = integer(binding or kind.binding)
-    bind = getattr(gl, kind.bind)
-    bind(target or kind.target, name)
-    bind(target or kind.target, before)
+    except AttributeError:
+        return False
+    return True
 
 
 def is_free(kind: Kind) -> bool:

@@ -1,9 +1,17 @@
 """Surfaces that programs light, or do not: more scenes for `scenery`."""
 
 from OpenGL.GL import *  # noqa: F403
-from OpenGL.GLU import gluPerspective
 
-from tests.golden.scenery import HEIGHT, WIDTH, ball, box, flat, light, look, material, plane
+from tests.golden.scenery import (
+    ball,
+    box,
+    flat,
+    light,
+    look,
+    material,
+    picture_behind,
+    plane,
+)
 
 # ruff: noqa: F405
 
@@ -211,25 +219,7 @@ def on_a_panel(shade):
 def on_a_picture_with_a_margin():
     """A ball on a picture that leaves some of the window free."""
     look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
-    on_pixels = bytes((40, 140, 60) * 16)
-    glPushMatrix()
-    flat()
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1)
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 4, 4, 0, GL_RGB, GL_UNSIGNED_BYTE, on_pixels)
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST)
-    glEnable(GL_TEXTURE_2D)
-    glColor3f(1.0, 1.0, 1.0)
-    glBegin(GL_QUADS)
-    for x, y in ((-0.9, -0.8), (0.9, -0.9), (0.8, 0.9), (-0.9, 0.9)):
-        glTexCoord2f(0.5 + 0.5 * x, 0.5 + 0.5 * y)
-        glVertex2f(x, y)
-    glEnd()
-    glDisable(GL_TEXTURE_2D)
-    glEnable(GL_DEPTH_TEST)
-    glMatrixMode(GL_PROJECTION)
-    gluPerspective(50.0, WIDTH / HEIGHT, 0.1, 3000.0)
-    glMatrixMode(GL_MODELVIEW)
-    glPopMatrix()
+    picture_behind(((-0.9, -0.8), (0.9, -0.9), (0.8, 0.9), (-0.9, 0.9)))
     light((2.0, 5.0, 4.0, 0.0))
     ball(1.0)
 

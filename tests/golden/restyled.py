@@ -26,7 +26,8 @@ def window() -> Iterator[None]:
 
 
 def shown(draw: Callable[[], None], style: str = "", frames: int = 1) -> Picture:
-    """(HEIGHT, WIDTH, 3) of 0..255, the last frame, from below upwards."""
+    """(height, width, 3) of 0..255, the last frame of the window, from below upwards."""
+    width, height = pygame.display.get_window_size()
     if style:
         glshim.install(style)
     try:
@@ -34,8 +35,8 @@ def shown(draw: Callable[[], None], style: str = "", frames: int = 1) -> Picture
             draw()
             pygame.display.flip()
         draw()
-        pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
+        pixels = GL.glReadPixels(0, 0, width, height, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
         pygame.display.flip()
     finally:
         glshim.uninstall()
-    return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+    return np.frombuffer(pixels, np.uint8).reshape(height, width, 3).astype(int)

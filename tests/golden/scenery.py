@@ -353,9 +353,9 @@ def before_a_backdrop():
     box((0.0, 0.0, 0.0), 1.0)
 
 
-def on_a_picture():
-    """A ball on a table that is a picture: one textured quad, flat and without depth."""
-    look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
+def picture_behind(corners):
+    """One textured quad over some of the window, flat and without depth; corners: x and y in
+    -1..1."""
     glPushMatrix()
     flat()
     pixels = bytes((40, 140, 60) * 16)
@@ -365,7 +365,7 @@ def on_a_picture():
     glEnable(GL_TEXTURE_2D)
     glColor3f(1.0, 1.0, 1.0)
     glBegin(GL_QUADS)
-    for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+    for x, y in corners:
         glTexCoord2f(0.5 + 0.5 * x, 0.5 + 0.5 * y)
         glVertex2f(x, y)
     glEnd()
@@ -375,6 +375,12 @@ def on_a_picture():
     gluPerspective(50.0, WIDTH / HEIGHT, 0.1, 3000.0)
     glMatrixMode(GL_MODELVIEW)
     glPopMatrix()
+
+
+def on_a_picture():
+    """A ball on a table that is a picture."""
+    look((0.0, 2.0, 7.0), sky=(0.0, 0.0, 0.0))
+    picture_behind(((-1, -1), (1, -1), (1, 1), (-1, 1)))
     light((2.0, 5.0, 4.0, 0.0))
     ball(1.0)
 

@@ -9,10 +9,8 @@ import numpy as np
 import pygame
 import pytest
 from numpy.typing import NDArray
-from OpenGL import GL
 
-import glshim
-from tests.golden import layered
+from tests.golden import layered, restyled
 from tests.golden.layered import HEIGHT, INSET, PANEL, WIDTH
 from tests.sweep import some
 
@@ -35,20 +33,9 @@ def window() -> Iterator[None]:
 
 
 def shown(scene: str | Callable[[], None], style: str = "", frames: int = 2) -> Picture:
-    """(HEIGHT, WIDTH, 3) the last frame, from below upwards."""
+    """See `restyled.shown`. scene: one of `layered.SCENES`, or what draws it."""
     draw = layered.SCENES[scene] if isinstance(scene, str) else scene
-    if style:
-        glshim.install(style)
-    try:
-        for _ in range(frames - 1):
-            draw()
-            pygame.display.flip()
-        draw()
-        pixels = GL.glReadPixels(0, 0, WIDTH, HEIGHT, GL.GL_RGB, GL.GL_UNSIGNED_BYTE)
-        pygame.display.flip()
-    finally:
-        glshim.uninstall()
-    return np.frombuffer(pixels, np.uint8).reshape(HEIGHT, WIDTH, 3).astype(int)
+    return restyled.shown(draw, style, frames)
 
 
 def of(box: tuple[int, int, int, int], picture: Picture) -> Picture:
