@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 import glfw
 import numpy as np
 import pytest
@@ -11,12 +14,19 @@ from OpenGL.raw.GL.VERSION.GL_4_1 import glShaderBinary
 from .world import App, prepare, styled, window
 
 
-def _names(style: str | None) -> list[str]:
-    app = App()
+@contextmanager
+def restyled(style: str | None) -> Iterator[None]:
+    """A window in which a frame has been drawn: there are objects of ours."""
     with styled(style), window() as handle:
         prepare()
         GL.glRectf(-0.5, -0.5, 0.5, 0.5)
         glfw.swap_buffers(handle)
+        yield
+
+
+def _names(style: str | None) -> list[str]:
+    app = App()
+    with restyled(style):
         GL.glBegin(GL.GL_QUADS)
         app.tries(GL.glGenFramebuffers, 1)
         app.tries(GL.glCreateProgram)
@@ -35,10 +45,7 @@ def test_names_after_a_primitive() -> None:
 def test_refused_inside_a_primitive() -> None:
     """Nothing was called, and GL finds no error."""
     app = App()
-    with styled("pencil"), window() as handle:
-        prepare()
-        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
-        glfw.swap_buffers(handle)
+    with restyled("pencil"):
         GL.glBegin(GL.GL_QUADS)
         for refused in (GL.glCreateShader, GL.glUseProgram, GL.glGetAttachedShaders):
             app.tries(refused, "1")
@@ -50,10 +57,7 @@ def test_refused_inside_a_primitive() -> None:
 def test_names_in_an_array_that_is_refused() -> None:
     """Of another type than GL's: what is given to the driver instead would be taken."""
     app = App()
-    with styled("pencil"), window() as handle:
-        prepare()
-        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
-        glfw.swap_buffers(handle)
+    with restyled("pencil"):
         names = np.array([GL.glCreateShader(GL.GL_VERTEX_SHADER)], np.int32)
         app.tries(glShaderBinary, 1, names, 0, np.zeros(4, np.uint8), 0)
     assert "CopyError" in app.saw[-1]
@@ -116,10 +120,7 @@ def test_names_while_a_list_is_open(style: str, mode: int) -> None:
 def _after_a_shape(style: str | None) -> list[str]:
     """GLU's glEnd ends the program's primitive: names are given again."""
     app = App()
-    with styled(style), window() as handle:
-        prepare()
-        GL.glRectf(-0.5, -0.5, 0.5, 0.5)
-        glfw.swap_buffers(handle)
+    with restyled(style):
         GL.glBegin(GL.GL_POLYGON)
         GLU.gluPartialDisk(GLU.gluNewQuadric(), 0.1, 0.6, 7, 2, 0.0, 90.0)
         app.tries(GL.glGenBuffers, 1)
